@@ -36,7 +36,7 @@ inline constexpr auto language_rows = [] {
        "correct the program and load it again"},
       {"E2003", "braces do not match", end, "add or remove a brace",
        "correct the program and load it again"},
-      {"E2004", "there is text behind an ISO block inside braces", end,
+      {"E2004", "there is text behind the `;` that ends an ISO block", end,
        "put each ISO block on its own line", "correct the program and load it again"},
       {"E2005", "a block skip stands before a high-level statement", end,
        "write if ($skip[1]) { ... }", "correct the program and load it again"},
@@ -63,7 +63,8 @@ inline constexpr auto language_rows = [] {
       {"E2031", "an expression or statement is too long", end, "split it",
        "correct the program and load it again"},
       {"E2041", "the first line names a dialect that does not exist", end,
-       "write (dialect stanok), (dialect linuxcnc), (dialect fanuc) or (dialect fanuc A)",
+       "write (dialect stanok), (dialect linuxcnc), (dialect fanuc), (dialect haas) or (dialect "
+       "fanuc A)",
        "correct the program and load it again"},
       {"E2042", "the program looks like one for another control", end,
        "post-process it for an ISO control: Fanuc, Haas, LinuxCNC",

@@ -16,8 +16,8 @@ constexpr Parameter tool_number{.name = "number",
                                 .help = "number of the tool"};
 
 constexpr auto tool_value_choices = std::to_array<std::string_view>(
-    {"length", "length_x", "length_y", "radius", "wear_length", "wear_radius", "overhang",
-     "orientation", "angle_front", "angle_back"});
+    {"length", "length_x", "length_y", "radius", "wear_length", "wear_length_x", "wear_radius",
+     "overhang", "orientation", "angle_front", "angle_back"});
 
 constexpr Parameter tool_value{.name = "key",
                                .type = ParameterType::choice,

@@ -52,7 +52,8 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
       schemes_(channels::make_schemes(channel_)),
       sink_(motion_, feed_),
       feed_(machine, channel_, motion_, sink_),
-      interpreter_(description_, tables_, files) {
+      interpreter_(description_, tables_, files),
+      judges_{{}, {machine, channel_}} {
   const int id = scheme < 0 ? channel_.scheme : scheme;
   const auto found = schemes_.find(id);
   if (found != schemes_.end()) scheme_ = found->second.get();
@@ -152,11 +153,12 @@ void DryRun::follow(const RequestSink& request, DryRunResult& result) {
 // Whether the run goes on behind the fault that stopped it.
 bool DryRun::passes_fault(Diagnostics& diagnostics) {
   const Diagnostic& fault = interpreter_.error();
-  if (sieve_.is_new(fault) && sieve_.lets_through(fault)) diagnostics.push_back(fault);
-  if (manner_.faults == BlockFaults::end_the_run || !sieve_.may_pass()) return false;
-  sieve_.pass();
+  if (judges_.sieve.is_new(fault) && judges_.sieve.lets_through(fault))
+    diagnostics.push_back(fault);
+  if (manner_.faults == BlockFaults::end_the_run || !judges_.sieve.may_pass()) return false;
+  judges_.sieve.pass();
   const lang::Passed passed = interpreter_.pass_fault();
-  if (passed == lang::Passed::unknown_position) sieve_.lose_position();
+  if (passed == lang::Passed::unknown_position) judges_.sieve.lose_position();
   return passed != lang::Passed::no;
 }
 
@@ -233,8 +235,12 @@ bool DryRun::take(const lang::Command& command, const RequestSink& request,
   const motion::Point before = feed_.blocks().position_W();
   auto taken = feed_.take(command);
   if (!taken) {
-    if (sieve_.lets_through(taken.error())) diagnostics.push_back(std::move(taken.error()));
+    if (judges_.sieve.lets_through(taken.error())) diagnostics.push_back(std::move(taken.error()));
     return feed_.blocks().position_W() != before;
+  }
+  if (auto advice = judges_.advice.advice(command)) {
+    lang::put_at_block(*program_, command.origin, *advice);
+    diagnostics.push_back(std::move(*advice));
   }
   if (const auto* wish = std::get_if<lang::Request>(&command.payload))
     take_request(command, *wish, request);

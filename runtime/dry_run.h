@@ -19,6 +19,7 @@
 #include "lang/run/interpreter.h"
 #include "runtime/dry_sink.h"
 #include "runtime/fault_sieve.h"
+#include "runtime/program_advice.h"
 
 namespace stanok::runtime {
 
@@ -99,7 +100,10 @@ class DryRun {
   std::uint64_t steps_max_ = 0;  // of a run; text that is passed once is free
   const kinematics::Scheme* scheme_ = nullptr;
   RunManner manner_;
-  FaultSieve sieve_;
+  struct {
+    FaultSieve sieve;
+    ProgramAdvice advice;
+  } judges_;
 };
 
 // Everything that can be known of a program before a run: follows #kinematics, channel_run and

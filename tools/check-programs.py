@@ -67,7 +67,7 @@ def main():
     parser.add_argument("stanok")
     parser.add_argument("machine")
     parser.add_argument("folders", nargs="+")
-    parser.add_argument("--dialect", choices=["stanok", "linuxcnc", "fanuc"], default="stanok")
+    parser.add_argument("--dialect", choices=["stanok", "linuxcnc", "fanuc", "haas"], default="stanok")
     parser.add_argument("--code-system", choices=["A", "B", "C"])
     parser.add_argument("--show", type=int, default=2, help="examples of each class")
     parser.add_argument("--timeout", type=float, default=60.0)

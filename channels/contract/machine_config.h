@@ -100,7 +100,7 @@ struct ToolEdge {
   std::string kind = "flat";                            // flat, ball, bull, drill, taper, insert
   double length = 0.0, length_x = 0.0, length_y = 0.0;  // mm
   double radius = 0.0, corner_radius = 0.0;
-  double wear_length = 0.0, wear_radius = 0.0, overhang = 0.0;
+  double wear_length = 0.0, wear_length_x = 0.0, wear_radius = 0.0, overhang = 0.0;
   double flute_length = 0.0, shank_diameter = 0.0, holder_diameter = 0.0, holder_length = 0.0;
   int orientation = 0;
   double angle_front = 0.0, angle_back = 0.0;  // deg

@@ -16,7 +16,7 @@ struct ToolRow {
   std::int32_t orientation = 0;
   double length = 0.0, length_x = 0.0, length_y = 0.0;
   double radius = 0.0, corner_radius = 0.0;
-  double wear_length = 0.0, wear_radius = 0.0, overhang = 0.0;
+  double wear_length = 0.0, wear_length_x = 0.0, wear_radius = 0.0, overhang = 0.0;
   double flute_length = 0.0, shank_diameter = 0.0, holder_diameter = 0.0, holder_length = 0.0;
   double angle_front = 0.0, angle_back = 0.0;
   double point_angle = 0.0, taper_angle = 0.0;
@@ -35,6 +35,7 @@ struct ToolRow {
           .radius = tool.radius,
           .corner_radius = tool.corner_radius,
           .wear_length = tool.wear_length,
+          .wear_length_x = tool.wear_length_x,
           .wear_radius = tool.wear_radius,
           .overhang = tool.overhang,
           .flute_length = tool.flute_length,

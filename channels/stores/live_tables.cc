@@ -11,15 +11,14 @@ namespace {
 
 constexpr int work_offsets_max = 9 + 300;  // G54..G59.3 and G54.1 P1..P300
 constexpr int tools_without_row_max = 99;
-constexpr int common_variables = lang::kept_variable_last - lang::kept_variable_first + 1;
-constexpr int variables_of_channel =
-    common_variables + lang::parts_variable_last - lang::parts_variable_first + 1;
+constexpr int variables_of_channel = lang::kept_variables;
 
 // In the order of ToolValue.
 std::array<double, tool_values> values_of(const ToolEdge& tool) {
-  return {tool.length,      tool.length_y,    tool.length_x, tool.radius,
-          tool.wear_length, tool.wear_radius, tool.overhang, static_cast<double>(tool.orientation),
-          tool.angle_front, tool.angle_back};
+  return {
+      tool.length,      tool.length_y,    tool.length_x,     tool.radius,
+      tool.wear_length, tool.wear_radius, tool.overhang,     static_cast<double>(tool.orientation),
+      tool.angle_front, tool.angle_back,  tool.wear_length_x};
 }
 
 // `Tool`: ToolEdge or ToolRow.
@@ -36,6 +35,7 @@ void take_values(const NumberedArray<std::atomic<double>, tool_values>& values, 
   tool.orientation = static_cast<int>(values[7].load());
   tool.angle_front = values[8];
   tool.angle_back = values[9];
+  tool.wear_length_x = values[10];
 }
 
 // What tools are ordered by.
@@ -92,8 +92,8 @@ int work_offset_number(std::string_view name) RT_SAFE {
 
 int tool_value_named(std::string_view name) RT_SAFE {
   constexpr std::array<std::string_view, tool_values> names{
-      "length",      "length_y", "length_x",    "radius",      "wear_length",
-      "wear_radius", "overhang", "orientation", "angle_front", "angle_back"};
+      "length",   "length_y",    "length_x",    "radius",     "wear_length",  "wear_radius",
+      "overhang", "orientation", "angle_front", "angle_back", "wear_length_x"};
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
 }
@@ -156,8 +156,8 @@ void LiveTables::read_variables(int channel, const TablesConfig& tables) {
 }
 
 void LiveTables::add_variables(int channel, TablesConfig& tables) const {
-  for (int number = lang::kept_variable_first; number <= lang::parts_variable_last; ++number) {
-    if (!lang::is_kept_variable(number)) continue;
+  for (int cell = 0; cell < lang::kept_variables; ++cell) {
+    const int number = lang::kept_variable_at(cell);
     const double value = variable(channel, number);
     if (!std::isnan(value)) tables.variables[channel][number] = value;
   }
@@ -165,10 +165,7 @@ void LiveTables::add_variables(int channel, TablesConfig& tables) const {
 
 int LiveTables::variable_cell(int channel, int number) const {
   const auto place = std::find(channels_.begin(), channels_.end(), channel) - channels_.begin();
-  const int row = number <= lang::kept_variable_last
-                      ? number - lang::kept_variable_first
-                      : common_variables + number - lang::parts_variable_first;
-  return static_cast<int>(place) * variables_of_channel + row;
+  return static_cast<int>(place) * variables_of_channel + lang::kept_variable_place(number);
 }
 
 double LiveTables::variable(int channel, int number) const {
@@ -393,7 +390,8 @@ std::optional<lang::Tool> ChannelTables::tool_edge(int number, int edge_number) 
   if (!edge) return std::nullopt;
   lang::Tool tool;
   tool.number = number;
-  tool.length_mm = {edge->length_x, edge->length_y, edge->length + edge->wear_length};
+  tool.length_mm = {edge->length_x + edge->wear_length_x, edge->length_y,
+                    edge->length + edge->wear_length};
   tool.radius_mm = edge->radius + edge->wear_radius;
   tool.overhang_mm = edge->overhang;
   tool.orientation = edge->orientation;

@@ -39,8 +39,9 @@ enum class ToolValue : std::uint8_t {
   orientation,
   angle_front,
   angle_back,
+  wear_length_x,
 };
-inline constexpr int tool_values = 10;
+inline constexpr int tool_values = 11;
 // "length", "wear_radius"...; 0: there is no such value.
 [[nodiscard]] int tool_value_named(std::string_view name) RT_SAFE;
 // "G28" for 1, "G30 P2" to "G30 P4".

@@ -30,7 +30,8 @@ const Keys<TablesFile>& tables_keys() {
       {"offset", at<&TablesFile::offsets>, optional, "", "work offsets"},
       {"reference_point", at<&TablesFile::reference_points>, optional, "", "points of G28 and G30"},
       {"variable", at<&TablesFile::variables>, optional, "",
-       "common variables #500 to #999 of the dialect fanuc, and its part counters, by channel"},
+       "common variables #500 to #999 of the dialects fanuc and haas, #10000 to #10499 of haas, "
+       "and part counters, by channel"},
   };
   return keys;
 }
@@ -61,6 +62,8 @@ const Keys<ToolEdge>& tool_keys() {
       {"taper_angle", at<&ToolEdge::taper_angle>, optional, "deg",
        "angle of a taper, between its axis and its flank", from(0, 89)},
       {"wear_length", at<&ToolEdge::wear_length>, optional, "mm", "added to the length"},
+      {"wear_length_x", at<&ToolEdge::wear_length_x>, optional, "mm",
+       "added to the length along X"},
       {"wear_radius", at<&ToolEdge::wear_radius>, optional, "mm", "added to the radius"},
       {"overhang", at<&ToolEdge::overhang>, optional, "mm",
        "overhang of the tool out of its holder", not_negative},
@@ -214,7 +217,8 @@ void read_variables_of_channel(const toml::table& values, std::map<int, double>&
   for (const auto& [key, node] : values) {
     const int number = number_of_variable(key.str());
     if (number == 0) {
-      scope.fault(key.source(), "no common variable; the numbers are 500 to 999, 3901 and 3902");
+      scope.fault(key.source(),
+                  "no common variable; the numbers are 500 to 999, 3901, 3902 and 10000 to 10499");
       continue;
     }
     detail::read_value(node, {.name = key.str(), .unit = "", .meaning = "common variable"}, scope,
@@ -258,6 +262,7 @@ toml::table to_table(const ToolEdge& tool) {
                      {"point_angle", tool.point_angle},
                      {"taper_angle", tool.taper_angle},
                      {"wear_length", tool.wear_length},
+                     {"wear_length_x", tool.wear_length_x},
                      {"wear_radius", tool.wear_radius},
                      {"overhang", tool.overhang},
                      {"orientation", tool.orientation},

@@ -66,9 +66,10 @@ const Keys<ChannelFile>& channel_keys() {
        "digital input that is on while the probe of G38.2 to G38.5 touches", from(0, 63), "none"},
       {"dialect", at<&ChannelFile::dialect>, optional, "",
        "whose meaning its programs have where controls contradict each other",
-       one_of({"stanok", "linuxcnc", "fanuc"})},
+       one_of({"stanok", "linuxcnc", "fanuc", "haas"})},
       {"code_system", at<&ChannelFile::code_system>, optional, "",
-       "G codes of a lathe in the dialect fanuc, by Fanuc's name", one_of({"A", "B", "C"}), "B"},
+       "G codes of a lathe in the dialects fanuc and haas, by Fanuc's name",
+       one_of({"A", "B", "C"}), "B"},
       {"tool_change", at<&ChannelFile::channel, &ChannelConfig::tool_change>, optional, "",
        "which word changes the tool", one_of({"m6", "t_word"})},
       {"t_format", at<&ChannelFile::channel, &ChannelConfig::t_format>, optional, "",
@@ -81,7 +82,8 @@ const Keys<ChannelFile>& channel_keys() {
       {"codes", at<&ChannelFile::channel, &ChannelConfig::codes>, optional, "",
        "G and M codes of the user: the program they call (G200 = \"cycles/groove.nc\", G201 = "
        "\"lib.nc:slot\" for a function of it), or M100 to M899 as output before, after or "
-       "with_motion (M120 = \"before wait\")"},
+       "with_motion (M120 = \"before wait\"), or a digital output and its feedback (M11 = "
+       "\"output 4 on, input 7 within 2 s\"), these also below M100 where the code is free"},
   };
   return keys;
 }
@@ -102,9 +104,10 @@ lang::TextRules text_rules(const toml::table& table, const ChannelFile& file,
   rules.code_system =
       lang::code_system_called(lang::folded(file.code_system)).value_or(lang::CodeSystem::b);
   if (rules.is_fanuc() && kind == lang::ChannelKind::lathe) return rules;
-  scope.fault(place_of(table, "code_system"),
-              "a code system is one of lathes in the dialect fanuc; take it out, or give the "
-              "channel kind = \"lathe\" and dialect = \"fanuc\"");
+  scope.fault(
+      place_of(table, "code_system"),
+      "a code system is one of lathes in the dialects fanuc and haas; take it out, or give the "
+      "channel kind = \"lathe\" and dialect = \"fanuc\"");
   return rules;
 }
 

@@ -33,6 +33,7 @@ json tool_json(const channels::ToolEdge& tool) {
           {"radius", tool.radius},
           {"corner_radius", tool.corner_radius},
           {"wear_length", tool.wear_length},
+          {"wear_length_x", tool.wear_length_x},
           {"wear_radius", tool.wear_radius},
           {"overhang", tool.overhang},
           {"flute_length", tool.flute_length},

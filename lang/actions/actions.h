@@ -70,6 +70,18 @@ void cut_thread_in_passes(ActiveBlock& block, CodeNumber code);  // G76
 // An axis word as it is written, without the halving of diameter mode: what goes into tables.
 [[nodiscard]] double table_value(const ActiveBlock& block, AxisIndex axis);
 
+// Writing of rows of the tables: requests, which the machine answers.
+// Of edge 1; `parameter` is its name in the tool table.
+void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value);
+// Of the channel's own table.
+void write_offset(ActiveBlock& block, int page, std::string_view parameter, int axis, double value);
+
+// Fails the block when the table does not have the tool.
+[[nodiscard]] std::optional<int> table_tool(ActiveBlock& block, int number);
+
+// G10 of the Fanuc dialect.
+void write_fanuc_table(ActiveBlock& block);
+
 // Reference points (actions_reference.cc)
 // Where the axes stand in M; not under TCP.
 [[nodiscard]] AxisValues machine_position(const ActiveBlock& block);
@@ -110,6 +122,10 @@ void read_tool_length_again(ActiveBlock& block);
 // Fails the block when radius compensation is active and forbids one of its codes, the modally
 // active motion among them.
 void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes);
+
+// Tool whose radius counts: D, else the last D of the Fanuc dialect or the active edge. Nothing,
+// with the block failed, when the table does not have it.
+[[nodiscard]] std::optional<Tool> tool_of_radius(ActiveBlock& block, CodeNumber code);
 
 // Parts of a motion shared by its kinds.
 

@@ -12,30 +12,7 @@
 namespace stanok::lang {
 namespace {
 
-// Tool whose radius counts: D, or the active edge.
-std::optional<Tool> compensated_tool(ActiveBlock& block, CodeNumber code) {
-  int number = block.modal.tool.active;
-  int edge = std::max(block.modal.tool.edge, 1);
-  if (block.has('D')) {
-    const auto named = block.integer('D', 0, 99999999);
-    if (!named) return std::nullopt;
-    number = *named;
-    edge = 1;
-  } else if (block.words.rules.is_fanuc() && block.modal.tool.radius_offset >= 0) {
-    number = block.modal.tool.radius_offset;
-    edge = 1;
-  }
-  if (number == 0) return Tool{};
-  auto tool = block.tables.tool_edge(number, edge);
-  if (!tool) {
-    const WordName word = block.has('D') ? WordName{'D', -1, {}} : WordName{'G', code, {}};
-    block.fail("E5021", word, "the tool table has no tool " + std::to_string(number),
-               "unknown tool");
-  }
-  return tool;
-}
-
-// G41.1, G42.1: D is the diameter, L the orientation.
+// G41.1, G42.1: D is the diameter, a negative one means the other side; L the orientation.
 std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
   Tool tool;
   if (!block.has('D')) {
@@ -44,10 +21,6 @@ std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
     return std::nullopt;
   }
   tool.radius_mm = block.length('D') / 2.0;
-  if (tool.radius_mm < 0.0) {
-    block.fail("E4008", {'D', -1, {}}, "a diameter must not be negative", "negative");
-    return std::nullopt;
-  }
   if (block.has('L')) {
     const auto orientation = block.integer('L', 0, 9);
     if (!orientation) return std::nullopt;
@@ -140,6 +113,28 @@ void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
 
 }  // namespace
 
+std::optional<Tool> tool_of_radius(ActiveBlock& block, CodeNumber code) {
+  int number = block.modal.tool.active;
+  int edge = std::max(block.modal.tool.edge, 1);
+  if (block.has('D')) {
+    const auto named = block.integer('D', 0, 99999999);
+    if (!named) return std::nullopt;
+    number = *named;
+    edge = 1;
+  } else if (block.words.rules.is_fanuc() && block.modal.tool.radius_offset >= 0) {
+    number = block.modal.tool.radius_offset;
+    edge = 1;
+  }
+  if (number == 0) return Tool{};
+  auto tool = block.tables.tool_edge(number, edge);
+  if (!tool) {
+    const WordName word = block.has('D') ? WordName{'D', -1, {}} : WordName{'G', code, {}};
+    block.fail("E5021", word, "the tool table has no tool " + std::to_string(number),
+               "unknown tool");
+  }
+  return tool;
+}
+
 void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
   Activity active{block.modal.compensation.on(), block.modal.compensation.on()};
   if (!active.before && !codes.has(Group::radius_compensation)) return;
@@ -167,7 +162,7 @@ void select_compensation(ActiveBlock& block, CodeNumber code) {
     return;
   }
   const auto tool = code == g(41, 1) || code == g(42, 1) ? programmed_tool(block, code)
-                                                         : compensated_tool(block, code);
+                                                         : tool_of_radius(block, code);
   if (!tool || !has_plane(block, code)) return;
   // A negative radius in the tool table and a mirrored plane mean the other side.
   const bool left =

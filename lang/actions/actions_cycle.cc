@@ -21,7 +21,29 @@ constexpr double moves_max = 100000.0;
 bool is_cycle(CodeNumber code) {
   const Code* const row = find_code('G', code);
   return row != nullptr &&
-         (row->action == CodeAction::drill_hole || code == g(74) || code == g(76));
+         (row->action == CodeAction::drill_hole || code == g(73) || code == g(74) || code == g(76));
+}
+
+// The cycles of lathes drill into the face, G87 to G89 into the side: along X. Source: Fanuc
+// operator's manual B-64304EN-1, 5.2.
+bool drills_into_side(const ActiveBlock& block, CodeNumber code) {
+  return block.channel.kind == ChannelKind::lathe && code >= g(87) && code <= g(89);
+}
+
+// What the cycle does with the hole, by the number of its fellow on mills. Fanuc lathes drill in
+// one go where Q is left out, and dwell at the bottom where P is given.
+CodeNumber kind_of_hole(const ActiveBlock& block, CodeNumber code) {
+  const DrillingCycle& cycle = block.modal.cycles.drilling;
+  const CodeNumber kind = !drills_into_side(block, code) ? code
+                          : code == g(87)                ? g(83)
+                          : code == g(88)                ? g(84)
+                                                         : g(85);
+  const bool lathe = block.channel.kind == ChannelKind::lathe;
+  const bool in_one_go =
+      lathe && kind == g(83) && cycle.peck <= 0.0 && block.words.rules.is_fanuc();
+  if (in_one_go) return cycle.dwell_s > 0.0 ? g(82) : g(81);
+  const bool dwells = lathe && kind == g(85) && cycle.dwell_s > 0.0;
+  return dwells ? g(89) : kind;
 }
 
 bool needs_dwell(CodeNumber code) {
@@ -46,11 +68,11 @@ bool refuses_words_of_lathes(ActiveBlock& block) {
   return block.failed();
 }
 
-// Channel axis along which the tool goes; on lathes the cycles drill into the face. Fails the block
-// when the channel has none.
+// Channel axis along which the tool goes. Fails the block when the channel has none.
 std::optional<AxisIndex> tool_axis(ActiveBlock& block, CodeNumber code) {
   const bool lathe = block.channel.kind == ChannelKind::lathe;
-  const Plane plane = lathe ? Plane::xy : block.modal.plane();
+  const Plane into = drills_into_side(block, code) ? Plane::yz : Plane::xy;
+  const Plane plane = lathe ? into : block.modal.plane();
   const AxisIndex axis = block.channel_words.geometry_axis(plane_coordinates[plane].normal);
   if (axis.exists()) return axis;
   block.fail("E4036", code_word(code), "the channel lacks the tool axis of the cycle", "")
@@ -81,13 +103,16 @@ void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
     cycle.bottom = level(block.values[axis], cycle.retract_level);
     cycle.has_bottom = true;
   }
-  if (block.has('Q')) cycle.peck = block.length('Q');
+  // On Fanuc lathes Q counts thousandths when it has no point, as in their other cycles.
+  const bool counted = block.channel.kind == ChannelKind::lathe;
+  const double peck = counted ? value_or_thousandths(block, 'Q') : block.value('Q');
+  if (block.has('Q')) cycle.peck = peck * block.length_unit();
   const double dwell_s = value_or_thousandths(block, 'P');
   if (block.has('P') && check_dwell(block, 'P', dwell_s)) cycle.dwell_s = dwell_s;
   if (block.has('K') && !counts_repeats(block)) cycle.lead = block.length('K');
 }
 
-void check_cycle(ActiveBlock& block, CodeNumber code) {
+void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
   const DrillingCycle& cycle = block.modal.cycles.drilling;
   const std::string name = "`" + code_text('G', code) + "`";
   if (!cycle.has_bottom || !cycle.has_retract_level) {
@@ -98,9 +123,9 @@ void check_cycle(ActiveBlock& block, CodeNumber code) {
   } else if (cycle.retract_level < cycle.bottom) {
     block.fail("E4062", {block.has('R') ? 'R' : '\0', -1, {}},
                "the level R lies below the bottom of the hole", "below the bottom");
-  } else if (pecks(code) && cycle.peck <= 0.0) {
+  } else if (pecks(kind) && cycle.peck <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the depth of a peck", "no Q");
-  } else if (needs_dwell(code) && cycle.dwell_s < 0.0 && !block.words.rules.is_fanuc()) {
+  } else if (needs_dwell(kind) && cycle.dwell_s < 0.0 && !block.words.rules.is_fanuc()) {
     block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
   } else if (code == g(76) && cycle.peck <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the distance from the edge",
@@ -177,18 +202,20 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   }
   if (block.programmed == 0) return;
   take_cycle_words(block, *axis);
-  check_cycle(block, code);
+  const CodeNumber kind = kind_of_hole(block, code);
+  check_cycle(block, code, kind);
   if (block.failed()) return;
-  const auto repeats = repeats_of(block, code);
+  const auto repeats = repeats_of(block, kind);
   if (!repeats) return;
   HoleMoves hole(block, *axis);
   for (int i = 0; i < *repeats && !block.failed(); ++i) {
+    if (i > 0) repeat_polar_words(block);
     Move positioning;
     resolve_ends(block, positioning);
     positioning.words = static_cast<AxisSet>(positioning.words & ~axis_bit(*axis));
     resolve_feed(block, positioning);
     hole.approach(positioning);
-    make_hole(hole, code);
+    make_hole(hole, kind);
   }
 }
 

@@ -37,6 +37,21 @@ void put_into_spindle(ActiveBlock& block, const ToolWord& tool) {
   block.queue.emit(ToolChange{.tool = tool.tool, .edge = std::max(tool.edge, 1)});
 }
 
+// An output of the machine builder, and the input that tells that it has done its work.
+void switch_and_wait(ActiveBlock& block, const UserCode& output) {
+  block.queue.emit(OutputCommand{false, false, output.output, output.on ? 1.0 : 0.0});
+  if (output.feedback < 0) return;
+  constexpr int while_on = 3;  // L of M66
+  constexpr int while_off = 4;
+  Request request;
+  request.kind = RequestKind::input_wait;
+  request.number = output.feedback;
+  request.index = output.on ? while_on : while_off;
+  request.seconds = output.timeout_s;
+  request.statement = true;
+  block.queue.emit(std::move(request));
+}
+
 }  // namespace
 
 void only_modal(ActiveBlock&, CodeNumber) {}
@@ -48,8 +63,9 @@ void end_cycle(ActiveBlock& block, CodeNumber) {
   block.kept_groups |= group_bit(Group::motion);
   const Code* const motion = find_code('G', block.modal.code(Group::motion));
   const bool drills = motion->action == CodeAction::drill_hole;
-  if (drills || motion->number == g(74) || motion->number == g(76))
-    block.set_modal(Group::motion, block.modal.cycles.motion_before);
+  const bool also_elsewhere =
+      motion->number == g(73) || motion->number == g(74) || motion->number == g(76);
+  if (drills || also_elsewhere) block.set_modal(Group::motion, block.modal.cycles.motion_before);
 }
 
 void take_feed(ActiveBlock& block, CodeNumber) {
@@ -249,12 +265,14 @@ void end_modal_call(ActiveBlock& block, CodeNumber) {
 }
 
 void send_machine_function(ActiveBlock& block, CodeNumber code) {
+  const UserCode& output = *block.channel_words.dialect().output_code(code);
+  if (output.kind == UserCode::Kind::output_switched) return switch_and_wait(block, output);
   MachineFunction function;
   function.code = code / 10;
   if (block.has('P')) function.p = block.value('P');
   if (block.has('Q')) function.q = block.value('Q');
   block.queue.emit(function);
-  if (block.channel_words.dialect().output_waits(code)) block.queue.emit(Request{});
+  if (output.waits) block.queue.emit(Request{});
 }
 
 // M99 P10 goes on with N10 of the caller.

@@ -60,7 +60,9 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
     if ((block.programmed & axis_bit(i)) == 0) continue;
     const AxisDescription& axis = block.channel.axes[i];
     const double value = block.values[i];
-    if (block.modal.incremental() || (block.incremental & axis_bit(i)) != 0) {
+    const bool from_zero = (block.absolute & axis_bit(i)) != 0;
+    const bool from_position = (block.incremental & axis_bit(i)) != 0;
+    if (from_position || (block.modal.incremental() && !from_zero)) {
       move.end[i] += mapped ? map.gain(i) * value : value;
     } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates && !is_length(block, i)) {
       move.end[i] = shortest_travel(value, move.end[i], axis.modulo_deg);

@@ -1,9 +1,11 @@
-// Actions of contour cycles of lathe channels: G71 rough turning, G72 rough facing, G70 finishing.
+// Actions of contour cycles of lathe channels: G71 rough turning, G72 rough facing, G73 pattern
+// repeating, G70 finishing.
 //
 // G71 cuts along Z on levels of X, G72 along X on levels of Z, from the start point to the contour
 // with its allowance, with a last pass along it; the tool comes back to the start point. Between
-// two levels lies the depth of cut. Every pass is left at 45 degrees by the retract. On mill
-// channels G70 and G71 are inch and millimetre.
+// two levels lies the depth of cut. Every pass is left at 45 degrees by the retract. G73 follows
+// the contour itself, shifted by less from pass to pass. On mill channels G70 and G71 are inch and
+// millimetre, G73 drills.
 #include <algorithm>
 #include <string>
 
@@ -17,6 +19,7 @@ namespace {
 
 // Passes that one block may make; all of them are held at once.
 constexpr double levels_max = 10000.0;
+constexpr int passes_max = 9999;
 
 void fail_contour(ActiveBlock& block, CodeNumber code, const std::string& why) {
   block.fail("E4068", {'G', code, {}}, "the contour cannot be used: " + why, "");
@@ -77,7 +80,8 @@ void collect_moves(ActiveBlock& block, CodeNumber code, CommandQueue& queue,
       return;
     }
     PlaneMove next{
-        {move->end[x], move->end[z]}, arc, {}, move->counter_clockwise, command.origin.line};
+        {move->end[x], move->end[z]}, arc, {}, move->counter_clockwise, command.origin.line,
+        move->kind == MoveKind::rapid};
     if (arc) next.centre = {move->centre[1], move->centre[0]};
     moves.push_back(next);
   }
@@ -220,17 +224,34 @@ class Roughing {
   double along_ = 0.0;
 };
 
+// The allowance of a contour: U a diameter in diameter mode, W.
+TurningPoint allowance_of(const ActiveBlock& block) {
+  const double across = block.modal.diameters() ? 0.5 : 1.0;
+  return {block.has('U') ? across * block.length('U') : 0.0,
+          block.has('W') ? block.length('W') : 0.0};
+}
+
+// A contour that stands behind its cycle is not run again.
+void pass_contour(ActiveBlock& block, const Contour& contour) {
+  if (contour.blocks.front().origin.line <= block.line) return;
+  block.flow.kind = Flow::behind_line;
+  block.flow.line = contour.blocks.back().origin.line;
+}
+
 void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour& contour) {
   const bool turning = code == g(71);
   const RoughingSettings& settings =
       turning ? block.modal.cycles.turning_roughing : block.modal.cycles.facing_roughing;
-  const std::vector<PlaneMove> list = moves_of(block, code, contour);
+  std::vector<PlaneMove> list = moves_of(block, code, contour);
   if (block.failed()) return;
-  const double across = block.modal.diameters() ? 0.5 : 1.0;
-  const TurningPoint allowance{block.has('U') ? across * block.length('U') : 0.0,
-                               block.has('W') ? block.length('W') : 0.0};
-  const TurnedContour turned(list, moves.position(), allowance,
-                             turning ? PassAxis::z : PassAxis::x);
+  const TurningPoint allowance = allowance_of(block);
+  const PassAxis along = turning ? PassAxis::z : PassAxis::x;
+  TurnedContour turned(list, moves.position(), allowance, along);
+  // A contour may end with a rapid back to where it began: nothing is cut there.
+  while (!turned.problem().empty() && list.size() > 1 && list.back().rapid) {
+    list.pop_back();
+    turned = TurnedContour(list, moves.position(), allowance, along);
+  }
   if (!turned.problem().empty()) {
     return fail_contour(block, code,
                         turned.problem() + ", see line " + std::to_string(turned.problem_line()));
@@ -244,7 +265,80 @@ void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour
   roughing.follow(list, allowance);
 }
 
+// First block of G73: U and W, the way from the last pass to the first one (U a radius), R passes.
+void take_repeating_settings(ActiveBlock& block) {
+  RepeatingSettings& settings = block.modal.cycles.repeating;
+  if (block.has('U')) settings.relief_x = block.length('U');
+  if (block.has('W')) settings.relief_z = block.length('W');
+  if (!block.has('R')) return;
+  if (const auto passes = block.integer('R', 1, passes_max)) settings.passes = *passes;
+}
+
+// One pass along the contour, shifted; it begins at the start point shifted in the same way.
+void follow_shifted(CycleMoves& moves, const std::vector<PlaneMove>& list, TurningPoint start,
+                    TurningPoint shift) {
+  const auto shifted = [&](TurningPoint p) { return TurningPoint{p.x + shift.x, p.z + shift.z}; };
+  moves.rapid(shifted(start));
+  for (const PlaneMove& move : list) {
+    if (move.rapid) {
+      moves.rapid(shifted(move.end));
+    } else if (move.arc) {
+      moves.arc({shifted(move.end), shifted(move.centre), move.counter_clockwise});
+    } else {
+      moves.feed(shifted(move.end));
+    }
+  }
+}
+
+void repeat_pattern(ActiveBlock& block, CodeNumber code, CycleMoves& moves,
+                    const Contour& contour) {
+  const RepeatingSettings& settings = block.modal.cycles.repeating;
+  const std::vector<PlaneMove> list = moves_of(block, code, contour);
+  if (block.failed()) return;
+  if (static_cast<double>(list.size()) * settings.passes > levels_max) {
+    block.fail("E4063", {'G', code, {}}, "R makes too many passes", "too many");
+    return;
+  }
+  const TurningPoint allowance = allowance_of(block);
+  const TurningPoint start = moves.position();
+  for (int n = 1; n <= settings.passes; ++n) {
+    const double part = settings.passes == 1 ? 0.0 : 1.0 - (n - 1.0) / (settings.passes - 1.0);
+    follow_shifted(
+        moves, list, start,
+        {allowance.x + part * settings.relief_x, allowance.z + part * settings.relief_z});
+  }
+  moves.rapid(start);
+}
+
+void repeat_contour(ActiveBlock& block, CodeNumber code) {
+  block.kept_groups |= group_bit(Group::motion);
+  auto moves = CycleMoves::of(block, code);
+  if (!moves) return;
+  if (block.programmed != 0 || block.has('K') || block.has('L')) {
+    block.fail("E4003", {'G', code, {}}, "pattern repeating has no axis words, K and L",
+               "unused word");
+    return;
+  }
+  if (!block.has('P') && !block.has('Q')) return take_repeating_settings(block);
+  refuse_words(block, "R");
+  if (block.failed()) return;
+  if (block.modal.cycles.repeating.passes == 0) {
+    block.fail("E4007", {'G', code, {}}, "no number of passes is known", "no block with it before")
+        .help.emplace_back("write a block `G73 U8 W2 R5` before");
+    return;
+  }
+  const auto contour = find_contour(block, code);
+  if (!contour) return;
+  repeat_pattern(block, code, *moves, *contour);
+  if (!block.failed()) pass_contour(block, *contour);
+}
+
 }  // namespace
+
+void drill_or_repeat(ActiveBlock& block, CodeNumber code) {
+  if (block.channel.kind != ChannelKind::lathe) return drill_hole(block, code);
+  repeat_contour(block, code);
+}
 
 void rough_contour(ActiveBlock& block, CodeNumber code) {
   if (block.channel.kind != ChannelKind::lathe) return refuse_words(block, "PQRUWD");
@@ -265,9 +359,7 @@ void rough_contour(ActiveBlock& block, CodeNumber code) {
   const auto contour = find_contour(block, code);
   if (!contour) return;
   rough(block, code, *moves, *contour);
-  if (block.failed() || contour->blocks.front().origin.line <= block.line) return;
-  block.flow.kind = Flow::behind_line;
-  block.flow.line = contour->blocks.back().origin.line;
+  if (!block.failed()) pass_contour(block, *contour);
 }
 
 // The blocks themselves are run, with all they do; then the tool comes back.
@@ -277,7 +369,7 @@ void finish_contour(ActiveBlock& block, CodeNumber code) {
   if (!contour) return;
   for (const Contour::Block& one : contour->blocks) {
     const bool nested = std::any_of(one.words.g.begin(), one.words.g.end(), [](CodeNumber number) {
-      return number == g(70) || number == g(71) || number == g(72);
+      return number >= g(70) && number <= g(73);
     });
     if (nested) return fail_contour(block, code, "a contour cannot hold a contour cycle");
   }

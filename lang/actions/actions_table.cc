@@ -25,29 +25,6 @@ constexpr ToolTableWord tool_words[] = {
     {'R', "radius"}, {'I', "angle_front"}, {'J', "angle_back"}, {'Q', "orientation"}};
 constexpr std::array<std::string_view, 3> length_parameters{"length_x", "length_y", "length"};
 
-void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value) {
-  Request request;
-  request.kind = RequestKind::tool_table_write;
-  request.channel = tool_value_number(parameter);
-  request.number = tool;
-  request.index = 1;  // edge
-  request.text = parameter;
-  request.value = value;
-  block.queue.emit(request);
-}
-
-void write_offset(ActiveBlock& block, int page, std::string_view parameter, int axis,
-                  double value) {
-  Request request;
-  request.kind = RequestKind::offset_table_write;
-  request.channel = 1;  // the channel's own table
-  request.number = page;
-  request.index = axis;
-  request.text = parameter;
-  request.value = value;
-  block.queue.emit(request);
-}
-
 // Words that this kind of G10 has no use for are errors.
 bool check_words(ActiveBlock& block, int kind, LetterSet used) {
   for (const char letter : {'R', 'I', 'J', 'Q'}) {
@@ -74,11 +51,7 @@ std::optional<int> table_page(ActiveBlock& block) {
 
 std::optional<int> table_tool(ActiveBlock& block) {
   const auto number = block.integer('P', 1, 99999999);
-  if (!number) return std::nullopt;
-  if (block.tables.tool(*number)) return number;
-  block.fail("E5002", {'P', -1, {}}, "the tool table has no tool " + std::to_string(*number),
-             "unknown tool");
-  return std::nullopt;
+  return number ? table_tool(block, *number) : std::nullopt;
 }
 
 // Where the point that stands has to lie in the base so that, in the system `frame`, it has the
@@ -205,12 +178,43 @@ void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
 
 }  // namespace
 
+void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value) {
+  Request request;
+  request.kind = RequestKind::tool_table_write;
+  request.channel = tool_value_number(parameter);
+  request.number = tool;
+  request.index = 1;  // edge
+  request.text = parameter;
+  request.value = value;
+  block.queue.emit(request);
+}
+
+void write_offset(ActiveBlock& block, int page, std::string_view parameter, int axis,
+                  double value) {
+  Request request;
+  request.kind = RequestKind::offset_table_write;
+  request.channel = 1;  // the channel's own table
+  request.number = page;
+  request.index = axis;
+  request.text = parameter;
+  request.value = value;
+  block.queue.emit(request);
+}
+
+std::optional<int> table_tool(ActiveBlock& block, int number) {
+  if (block.tables.tool(number)) return number;
+  block.fail("E5002", {'P', -1, {}}, "the tool table has no tool " + std::to_string(number),
+             "unknown tool");
+  return std::nullopt;
+}
+
 double table_value(const ActiveBlock& block, AxisIndex axis) {
   const bool halved = block.modal.diameters() && block.channel.axes[axis].geometry == 0;
   return halved ? 2.0 * block.values[axis] : block.values[axis];
 }
 
 void write_table(ActiveBlock& block, CodeNumber) {
+  if (block.words.rules.is_fanuc()) return write_fanuc_table(block);
   for (const char letter : {'L', 'P'}) {
     if (block.has(letter)) continue;
     block.fail("E4007", g10, std::string("`G10` needs ") + letter,

@@ -58,7 +58,7 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
     return;
   }
   codes.add(motion);
-  codes.words |= motion->words;
+  codes.words |= words_of_code(*motion, &block.channel.kind, block.words.rules);
   codes.axis_user = motion;
 }
 
@@ -157,6 +157,8 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
   sort_by_phase(codes);
   for (std::size_t i = block.actions_done; i < codes.count && !block.failed(); ++i) {
     const Code& row = *codes.rows[i];
+    if (&row == codes.axis_user) take_polar_words(block, row);
+    if (block.failed()) return;
     if (&row != codes.resting_motion) function_of(row.action)(block, row.number);
     const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
@@ -223,6 +225,7 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   if (motion == g(5, 2)) return false;  // inside a NURBS curve
   if (words.g.count == 1) motion = words.g.numbers[0];
   if (motion != g(0) && motion != g(1)) return false;
+  if (block.modal.code(Group::polar) != g(15)) return false;
   const LetterSet axes = words.letters & block.channel_words.letters();
   if (axes == 0 || (words.letters & ~(axes | letter_bit('F'))) != 0) return false;
   if (words.has('F')) {

@@ -92,7 +92,8 @@ void HoleMoves::feed(double level) {
 }
 
 void HoleMoves::dwell() {
-  block_.queue.emit(Dwell{block_.modal.cycles.drilling.dwell_s});
+  if (block_.modal.cycles.drilling.dwell_s >= 0.0)
+    block_.queue.emit(Dwell{block_.modal.cycles.drilling.dwell_s});
 }
 
 void HoleMoves::approach(const Move& positioning) {
@@ -123,7 +124,12 @@ void HoleMoves::peck(CodeNumber code) {
     // A rest that rounding leaves is no peck.
     if (depth < cycle.bottom + move_min_mm) depth = cycle.bottom;
     feed(depth);
-    if (depth <= cycle.bottom) return retract();
+    if (depth <= cycle.bottom) {
+      const bool dwells =
+          block_.words.rules.is_fanuc() || block_.channel.kind == ChannelKind::lathe;
+      if (dwells) dwell();
+      return retract();
+    }
     if (code == g(73)) {
       rapid(depth + peck_lift_mm);
     } else {

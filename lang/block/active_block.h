@@ -82,6 +82,7 @@ struct ActiveBlock : BlockSurroundings {
   // The axis words in mm and deg (radius), as programmed: neither G91 nor offsets are applied.
   AxisSet programmed = 0;
   AxisSet incremental = 0;  // those of them that are given from the position, whatever G90 says
+  AxisSet absolute = 0;     // those of them that are given from zero, whatever G91 says
   AxisValues values{};
 
   bool machine_coordinates = false;  // G53

@@ -14,9 +14,12 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
     return fault_at("E4009", word, "`" + name + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }
-  if (kind == ChannelKind::lathe && code.letter == 'G' && code.number == g(73)) {
-    return fault_at("E2090", word, "`" + name + "` is not supported in this release",
-                    "pattern repeating");
+  const bool bores = code.letter == 'G' && (code.number == g(87) || code.number == g(88));
+  if (kind != ChannelKind::lathe && bores) {
+    BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
+                                code.number == g(87) ? "back boring" : "boring, manual out");
+    fault.help.emplace_back(find_unsupported_word(name)->instead);
+    return fault;
   }
   if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
     return fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
@@ -113,9 +116,7 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   }
   codes.add(row);
   codes.groups |= row->groups;
-  codes.words |= row->words;
-  const bool thread = letter == 'G' && number == g(76);
-  if (thread && kind != nullptr && *kind == ChannelKind::lathe) codes.words |= letters_of("AD");
+  codes.words |= words_of_code(*row, kind, words.rules);
   return std::nullopt;
 }
 
@@ -151,6 +152,19 @@ std::optional<BlockFault> find_axis_user(BlockCodes& codes, const TextRules& rul
 }
 
 }  // namespace
+
+LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRules& rules) {
+  LetterSet words = code.words;
+  if (code.letter != 'G') return words;
+  const bool pecks = code.number == g(73) || code.number == g(83);
+  const bool on_lathe = kind != nullptr && *kind == ChannelKind::lathe;
+  if (rules.is_fanuc() && pecks) words |= letters_of("P");
+  if (!on_lathe) return words;
+  if (code.number == g(73)) words |= letters_of("PUW");
+  if (code.number == g(76)) words |= letters_of("AD");
+  if (code.number == g(83) || code.number == g(85)) words |= letters_of("P");
+  return words;
+}
 
 std::optional<BlockFault> resolve_codes(const BlockWords& words, const ChannelKind* kind,
                                         const ChannelDialect& dialect, BlockCodes& codes) {

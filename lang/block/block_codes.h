@@ -36,6 +36,11 @@ struct BlockCodes {
   [[nodiscard]] bool has(Group group) const { return (groups & group_bit(group)) != 0; }
 };
 
+// The words of a code beside the axis words, with those that only some channels and dialects have.
+// `kind` nullptr: the channel is not known.
+[[nodiscard]] LetterSet words_of_code(const Code& code, const ChannelKind* kind,
+                                      const TextRules& rules);
+
 // The rows of all codes of a block and the one that takes its axis words, or why they do not go
 // together. `kind` nullptr: on any channel.
 [[nodiscard]] std::optional<BlockFault> resolve_codes(const BlockWords& words,

@@ -56,6 +56,13 @@ struct RoughingSettings {
   double retract = 0.0;  // R
 };
 
+// First block of G73 on lathes, mm (X a radius).
+struct RepeatingSettings {
+  double relief_x = 0.0;  // U: from the last pass to the first one
+  double relief_z = 0.0;  // W
+  int passes = 0;         // R; 0: not known
+};
+
 // G68: W is turned about a centre in the system that G54, G52 and G92 make.
 struct ProgrammedRotation {
   Rotation rotation;  // by `angle_deg` about `axis`
@@ -158,6 +165,19 @@ struct CycleSettings {
   ThreadSettings thread;
   RoughingSettings turning_roughing;  // G71
   RoughingSettings facing_roughing;   // G72
+  RepeatingSettings repeating;        // G73
+};
+
+// G16: radius (mm) and angle of the last block that had them, about a centre in the plane.
+struct PolarInput {
+  bool is_known = false;  // since G16
+  Plane plane = Plane::xy;
+  std::array<double, 2> centre{};
+  double radius = 0.0;
+  double angle_deg = 0.0;
+  // What the last block adds when it is repeated: an angle in G91, and a radius from the position.
+  double step_deg = 0.0;
+  bool from_position = false;
 };
 
 // Where the program has put W.
@@ -169,6 +189,7 @@ struct FrameSettings {
   AxisValues axis_shift{};        // G92
   bool axis_shift_active = true;  // false after G92.2
   ProgrammedRotation rotation;    // G68
+  PolarInput polar;               // G16
 
   // p_B = work offset + its rotation * (G52 + G92 + G68 * p_W), for a channel with these X, Y, Z.
   [[nodiscard]] WorkFrame frame(const GeometryAxes& geometry) const;

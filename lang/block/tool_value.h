@@ -10,8 +10,17 @@ namespace stanok::lang {
 // In the order of their numbers.
 inline constexpr auto tool_value_names = std::to_array<std::string_view>(
     {"length", "length_y", "length_x", "radius", "wear_length", "wear_radius", "overhang",
-     "orientation", "angle_front", "angle_back"});
-inline constexpr int tool_lengths = 7;  // the first of them are lengths
+     "orientation", "angle_front", "angle_back", "wear_length_x"});
+
+// Whether the value is in mm; orientations and angles are not.
+[[nodiscard]] constexpr bool is_tool_length(int number) {
+  constexpr int lengths = 7;  // the first of them
+  return number <= lengths || number == 11;
+}
+// Whether it is measured along X, where lathes count in diameters.
+[[nodiscard]] constexpr bool is_along_x(int number) {
+  return number == 3 || number == 11;
+}
 
 // 0: there is no such value.
 [[nodiscard]] constexpr int tool_value_number(std::string_view folded_name) {

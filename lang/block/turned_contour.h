@@ -23,6 +23,7 @@ struct PlaneMove {
   TurningPoint centre;
   bool counter_clockwise = false;
   std::uint32_t line = 0;
+  bool rapid = false;
 };
 
 struct TurnedPoint {

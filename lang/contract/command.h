@@ -303,6 +303,7 @@ enum class ProgramEndKind : std::uint8_t {
 
 struct ProgramEnd {
   ProgramEndKind kind = ProgramEndKind::end;
+  bool compensated = false;  // radius compensation is active there
 };
 
 // A request drains the channel's queue; the interpreter then waits for an Answer (sync point).

@@ -37,13 +37,18 @@ struct UserCode {
     output_before,       // MachineFunction before the motion of its block
     output_after,        // ... behind it
     output_with_motion,  // ... as the motion starts
+    output_switched,     // a digital output, and what tells that it has done its work
   };
   char letter = 'G';
   int number = 0;  // in tenths
   Kind kind = Kind::macro;
-  bool waits = false;    // output: the program goes on when the axes stand
-  std::string program;   // macro: its file
-  std::string function;  // macro: a function of the file, folded; empty: the file itself
+  bool waits = false;  // output: the program goes on when the axes stand
+  int output = -1;     // output_switched
+  bool on = false;
+  int feedback = -1;       // digital input that becomes what the output is; -1: none
+  double timeout_s = 0.0;  // until then
+  std::string program;     // macro: its file
+  std::string function;    // macro: a function of the file, folded; empty: the file itself
 };
 
 // A letter that stands for a named address: E for dS.
@@ -98,9 +103,32 @@ inline constexpr int kept_variable_last = 999;
 // Parts made and parts wanted, which are kept too.
 inline constexpr int parts_variable_first = 3901;
 inline constexpr int parts_variable_last = 3902;
+// Of the Haas dialect; its #10500 to #10999 are #500 to #999.
+inline constexpr int haas_variable_first = 10000;
+inline constexpr int haas_variable_last = 10499;
+
+// The place of a kept variable among all of them; -1: it is none.
+[[nodiscard]] constexpr int kept_variable_place(int number) {
+  constexpr int common = kept_variable_last - kept_variable_first + 1;
+  constexpr int parts = parts_variable_last - parts_variable_first + 1;
+  if (number >= kept_variable_first && number <= kept_variable_last)
+    return number - kept_variable_first;
+  if (number >= parts_variable_first && number <= parts_variable_last)
+    return common + number - parts_variable_first;
+  if (number >= haas_variable_first && number <= haas_variable_last)
+    return common + parts + number - haas_variable_first;
+  return -1;
+}
+inline constexpr int kept_variables = kept_variable_place(haas_variable_last) + 1;
 [[nodiscard]] constexpr bool is_kept_variable(int number) {
-  return (number >= kept_variable_first && number <= kept_variable_last) ||
-         (number >= parts_variable_first && number <= parts_variable_last);
+  return kept_variable_place(number) >= 0;
+}
+// The number of the variable at a place.
+[[nodiscard]] constexpr int kept_variable_at(int place) {
+  for (const int first : {haas_variable_first, parts_variable_first, kept_variable_first}) {
+    if (place >= kept_variable_place(first)) return first + place - kept_variable_place(first);
+  }
+  return kept_variable_first;
 }
 
 // The tables of the machine as the program sees them at this moment.

@@ -20,11 +20,11 @@ void BlockIndex::read(const CompiledFile& file) {
   programs_ = {0};
   for (const auto& [number, position] : file.numbered_programs) programs_.push_back(position);
   std::sort(programs_.begin(), programs_.end());
-  for (const LoopCode& loop : file.loops) loops_.push_back({loop.begin, loop.end});
   for (const NumberedStatement& one : file.numbered_statements) {
     add({one.number, 0, one.position, one.line, NumberedBlock::no_text});
   }
   read_plain_lines(file);
+  find_loops(file);
   std::sort(blocks_.begin(), blocks_.end(), [](const NumberedBlock& a, const NumberedBlock& b) {
     return order_of(a) < order_of(b);
   });
@@ -54,11 +54,30 @@ std::uint32_t BlockIndex::program_of(std::uint32_t position) const {
   return *std::prev(std::upper_bound(programs_.begin(), programs_.end(), position));
 }
 
-bool BlockIndex::is_reachable(std::uint32_t target, std::uint32_t from) const {
-  return std::all_of(loops_.begin(), loops_.end(), [&](const Range& loop) {
-    const bool holds_target = target >= loop.begin && target < loop.end;
-    return !holds_target || (from >= loop.begin && from < loop.end);
+// Loops lie in one another or apart: who is in the innermost one around a block is in all others
+// around it. One pass over blocks and loops in the order of the text.
+void BlockIndex::find_loops(const CompiledFile& file) {
+  std::vector<LoopCode> loops = file.loops;
+  std::sort(loops.begin(), loops.end(), [](const LoopCode& a, const LoopCode& b) {
+    return std::tuple(a.begin, b.end) < std::tuple(b.begin, a.end);
   });
+  std::sort(blocks_.begin(), blocks_.end(),
+            [](const NumberedBlock& a, const NumberedBlock& b) { return a.position < b.position; });
+  std::vector<LoopCode> open;
+  auto next = loops.begin();
+  for (NumberedBlock& block : blocks_) {
+    const auto close = [&](std::uint32_t position) {
+      while (!open.empty() && open.back().end <= position) open.pop_back();
+    };
+    for (; next != loops.end() && next->begin <= block.position; ++next) {
+      close(next->begin);
+      open.push_back(*next);
+    }
+    close(block.position);
+    if (open.empty()) continue;
+    block.loop_begin = open.back().begin;
+    block.loop_end = open.back().end;
+  }
 }
 
 std::optional<JumpFault> fault_of_jump(int number, const BlockIndex::Found& found) {
@@ -92,7 +111,8 @@ BlockIndex::Found BlockIndex::find(int number, std::uint32_t from) const {
   };
   if (!is_meant(found)) return {};
   if (is_meant(std::next(found))) return {&*found, Missing::twice, std::next(found)->line};
-  if (!is_reachable(found->position, from)) return {&*found, Missing::inside_loop, 0};
+  if (from < found->loop_begin || from >= found->loop_end)
+    return {&*found, Missing::inside_loop, 0};
   return {&*found, Missing::none, 0};
 }
 

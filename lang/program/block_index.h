@@ -24,6 +24,9 @@ struct NumberedBlock {
   std::uint32_t position = 0;  // instruction that executes it
   std::uint32_t line = 0;
   std::size_t offset = no_text;  // of a plain line, in the text
+  // Instructions of the innermost loop around it: those that may jump there.
+  std::uint32_t loop_begin = 0;
+  std::uint32_t loop_end = ~std::uint32_t{0};
 };
 
 class BlockIndex {
@@ -43,19 +46,14 @@ class BlockIndex {
   [[nodiscard]] Found find(int number, std::uint32_t from) const;
 
  private:
-  struct Range {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-  };
   void read_plain_lines(const CompiledFile& file);
+  void find_loops(const CompiledFile& file);
   void add(NumberedBlock block);
   [[nodiscard]] std::uint32_t program_of(std::uint32_t position) const;
-  [[nodiscard]] bool is_reachable(std::uint32_t target, std::uint32_t from) const;
 
   bool read_ = false;
   std::vector<std::uint32_t> programs_;  // where numbered programs begin, ascending
-  std::vector<Range> loops_;
-  std::vector<NumberedBlock> blocks_;  // by number, program and line
+  std::vector<NumberedBlock> blocks_;    // by number, program and line
 };
 
 // What a jump to block `number` is told that found nothing to go to.

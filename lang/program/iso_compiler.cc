@@ -13,6 +13,7 @@ namespace {
 // Of the Fanuc dialect; the code of the alarm is the sum of the number and the value.
 constexpr double alarm_variable = 3000.0;
 constexpr double stop_variable = 3006.0;
+constexpr double first_alarm_of_haas = 1000.0;
 
 bool is_code(const IsoWord& word) {
   return word.name.letter == 'G' || word.name.letter == 'M';
@@ -128,7 +129,8 @@ bool IsoCompiler::compile_stop_variable(const IsoBlock& block) {
   if (!ends && !(number && number->number == stop_variable)) return false;
   if (!expressions_.require(value, Type::number, "the number of the message")) return true;
   if (ends) {
-    code_.push_number(alarm_variable, target.span);
+    const bool haas = file_.source.rules().is_haas();
+    code_.push_number(haas ? first_alarm_of_haas : alarm_variable, target.span);
     code_.emit(Op::compute, target.span, 0, 0, static_cast<std::uint16_t>(Operation::add));
     code_.push_text(block.remark, target.span);
     code_.emit(Op::terminate, target.span);

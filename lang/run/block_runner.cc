@@ -117,13 +117,39 @@ bool BlockRunner::take_block(const Instruction& instruction) {
   return true;
 }
 
+// The word of a vacant variable does not exist. From the last word of a block to the first, so that
+// the places of those before stay.
+void BlockRunner::leave_out(const ComputedWord& word) {
+  BlockWords& words = state_.words;
+  switch (word.kind) {
+    case ComputedWord::Kind::letter:
+      words.letters &= ~letter_bit(word.letter);
+      break;
+    case ComputedWord::Kind::named:
+      words.named.erase(words.named.begin() + word.index);
+      break;
+    case ComputedWord::Kind::spindle:
+      words.spindle_named = false;
+      break;
+    case ComputedWord::Kind::g_code:
+      words.g.remove(word.index);
+      break;
+    case ComputedWord::Kind::m_code:
+      words.m.remove(word.index);
+      break;
+  }
+}
+
 bool BlockRunner::take_computed_word(const ComputedWord& word) {
   BlockWords& words = state_.words;
   const double value = vm_.stack().pop_number();
+  if (std::isnan(value)) {
+    leave_out(word);
+    return true;
+  }
   switch (word.kind) {
     case ComputedWord::Kind::letter:
       words.values[word.letter] = value;
-      if (std::isnan(value)) words.letters &= ~letter_bit(word.letter);
       return true;
     case ComputedWord::Kind::named:
       words.named[word.index].value = value;
@@ -235,7 +261,7 @@ void BlockRunner::emit_end(ProgramEndKind kind) {
                                !modal.switches.adaptive_feed && modal.switches.feed_stop;
   if (!overrides_usual) queue.emit(OverrideControl{});
   if (modal.transformation.axis >= 0) queue.emit(TransformationChange{});
-  queue.emit(ProgramEnd{kind});
+  queue.emit(ProgramEnd{kind, modal.compensation.on()});
 }
 
 // A value that stands in the text of a plain line.

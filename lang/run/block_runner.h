@@ -80,6 +80,7 @@ class BlockRunner {
   };
   bool take_settings(const std::vector<TextSetting>& settings);
   bool take_computed_word(const ComputedWord& word);
+  void leave_out(const ComputedWord& word);
   void fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault);
   void fail_compensation(CompensationFault fault);
   [[nodiscard]] Passed adopt_words(ActiveBlock& block);

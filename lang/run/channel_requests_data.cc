@@ -45,7 +45,7 @@ bool ChannelRequests::name_tool_value(const Instruction& instruction,
   if (by_number && is_integer(name.number)) value = static_cast<int>(std::lround(name.number));
   if (!by_number) value = tool_value_number(folded(text_of(name)));
   request.channel = value;
-  const bool is_length = value >= 1 && value <= tool_lengths;
+  const bool is_length = value >= 1 && is_tool_length(value);
   unit = is_length ? state_.length_unit() : 1.0;
   return true;
 }

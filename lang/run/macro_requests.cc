@@ -35,7 +35,8 @@ bool MacroRequests::execute(const Instruction& instruction) {
 bool MacroRequests::read() {
   const double number = vm_.stack().top().number;
   if (!is_integer(number) || number < 1000.0) return false;
-  const auto variable = machine_variable(static_cast<int>(std::lround(number)), state_.channel);
+  const auto variable = machine_variable(static_cast<int>(std::lround(number)), state_.channel,
+                                         vm_.file().source.rules());
   if (!variable || variable->kind == Kind::work_offset) return false;
   vm_.stack().drop();
   read_machine(*variable);
@@ -64,11 +65,13 @@ void MacroRequests::read_machine(const MachineVariable& variable) {
     case Kind::work_offset:
       break;
   }
-  vm_.fail("E3015", "#1100 to #1131 are outputs: they can be set, not read", "cannot be read");
+  vm_.fail("E3015", "outputs can be set, not read", "cannot be read");
 }
 
 double MacroRequests::unit_of_tool_value(int value) const {
-  return value <= tool_lengths ? state_.length_unit() : 1.0;
+  if (!is_tool_length(value)) return 1.0;
+  const bool halved = state_.modal.diameters() && is_along_x(value);
+  return state_.length_unit() * (halved ? 0.5 : 1.0);
 }
 
 void MacroRequests::read_tool_value(const MachineVariable& variable) {
@@ -88,7 +91,8 @@ bool MacroRequests::set(const std::vector<SettingTarget>& targets) {
   const double number = values[0].number;
   const double value = value_or_zero(values[1].number);
   if (!is_integer(number) || number < 1000.0) return false;
-  const auto variable = machine_variable(static_cast<int>(std::lround(number)), state_.channel);
+  const auto variable = machine_variable(static_cast<int>(std::lround(number)), state_.channel,
+                                         vm_.file().source.rules());
   if (!variable) return false;
   vm_.stack().cut_to(vm_.stack().height() - 2);
   set_machine(*variable, value);

@@ -42,6 +42,7 @@ constexpr int radius = 4;
 constexpr int wear_length = 5;
 constexpr int wear_radius = 6;
 constexpr int orientation = 8;
+constexpr int wear_length_x = 11;
 constexpr auto tools_of_mills = std::to_array<ToolBlock>({
     {2001, 200, wear_length},
     {2201, 200, length},
@@ -51,18 +52,38 @@ constexpr auto tools_of_mills = std::to_array<ToolBlock>({
     {13001, 999, radius},
 });
 constexpr auto tools_of_lathes = std::to_array<ToolBlock>({
+    {2001, 64, wear_length_x},
     {2101, 64, wear_length},
     {2201, 64, wear_radius},
     {2301, 64, orientation},
     {2701, 49, length_x},
     {2801, 49, length},
     {2901, 64, radius},
+    {10001, 999, wear_length_x},
     {11001, 999, wear_length},
     {12001, 999, wear_radius},
     {13001, 999, orientation},
     {15001, 999, length_x},
     {16001, 999, length},
     {17001, 999, radius},
+});
+
+// Of Haas: geometry before wear. Source: Haas operator's manuals (mill and lathe), table of the
+// macro variables.
+constexpr auto tools_of_haas_mills = std::to_array<ToolBlock>({
+    {2001, 200, length},
+    {2201, 200, wear_length},
+    {2401, 200, radius},
+    {2601, 200, wear_radius},
+});
+constexpr auto tools_of_haas_lathes = std::to_array<ToolBlock>({
+    {2001, 50, length_x},
+    {2101, 50, length},
+    {2201, 50, radius},
+    {2301, 50, orientation},
+    {2701, 50, wear_length_x},
+    {2801, 50, wear_length},
+    {2901, 50, wear_radius},
 });
 
 // Modal codes, by the group that has them: mills and lathes number them differently.
@@ -176,10 +197,32 @@ std::optional<double> system_variable(int number, const ParameterView& view,
     const auto row = around.tables.work_offset(offset->value);
     return row ? std::optional(as_programmed(around, axis, (*row)[axis])) : std::nullopt;
   }
+  constexpr int tool_in_spindle = 3026;
+  if (rules.is_haas() && number == tool_in_spindle) return around.modal.tool.active;
   return modal_variable(number, view, rules);
 }
 
-std::optional<MachineVariable> machine_variable(int number, const ChannelDescription& channel) {
+int haas_variable(int number) {
+  constexpr int of_new_control = 10000;
+  const bool legacy = number >= 100 && number <= 199;
+  if (legacy) return number + of_new_control;
+  const bool also_legacy = number > haas_variable_last && number < 11000;
+  return also_legacy ? number - of_new_control : number;
+}
+
+bool is_hidden_on_haas(int number) {
+  return (number >= 200 && number < 500) || (number >= 700 && number < 800);
+}
+
+std::optional<MachineVariable> machine_variable(int number, const ChannelDescription& channel,
+                                                const TextRules& rules) {
+  const bool lathe = channel.kind == ChannelKind::lathe;
+  if (rules.is_haas()) {
+    if (const auto place = place_in(number, 11000, 64))
+      return MachineVariable{Kind::input, *place, 0};
+    if (const auto place = place_in(number, 12000, 64))
+      return MachineVariable{Kind::output, *place, 0};
+  }
   if (const auto axis = axis_at(number, machine_first, channel))
     return MachineVariable{Kind::machine_position, axis->number(), 0};
   if (const auto axis = axis_at(number, work_first, channel))
@@ -190,8 +233,10 @@ std::optional<MachineVariable> machine_variable(int number, const ChannelDescrip
   if (const auto place = place_in(number, 1100, 32))
     return MachineVariable{Kind::output, *place, 0};
   if (const auto offset = offset_variable(number, channel)) return offset;
-  return channel.kind == ChannelKind::lathe ? tool_variable(number, tools_of_lathes)
-                                            : tool_variable(number, tools_of_mills);
+  if (rules.is_haas())
+    return lathe ? tool_variable(number, tools_of_haas_lathes)
+                 : tool_variable(number, tools_of_haas_mills);
+  return lathe ? tool_variable(number, tools_of_lathes) : tool_variable(number, tools_of_mills);
 }
 
 std::string_view meaning_elsewhere(int number) {

@@ -35,10 +35,16 @@ struct MachineVariable {
   int value = 0;
 };
 [[nodiscard]] std::optional<MachineVariable> machine_variable(int number,
-                                                              const ChannelDescription& channel);
+                                                              const ChannelDescription& channel,
+                                                              const TextRules& rules);
 
 // What the number means on the controls it is known from, where stanok has nothing for it; empty:
 // nothing is known.
 [[nodiscard]] std::string_view meaning_elsewhere(int number);
+
+// The number under which a variable of the Haas dialect is kept: #100 is #10100, #10500 is #500.
+[[nodiscard]] int haas_variable(int number);
+// Numbers that are nobody's there, although Fanuc has some of them.
+[[nodiscard]] bool is_hidden_on_haas(int number);
 
 }  // namespace stanok::lang

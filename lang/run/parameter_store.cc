@@ -107,6 +107,13 @@ ParameterView ParameterStore::view() const {
           returned_.has_value()};
 }
 
+// #10000 and on are tools on Fanuc controls.
+bool ParameterStore::is_common_variable(int number) const {
+  const bool of_haas = number >= haas_variable_first && number <= haas_variable_last;
+  return (number >= kept_variable_first && number <= kept_variable_last) ||
+         (of_haas && place_.where().rules.is_haas());
+}
+
 double* ParameterStore::variable_in_memory(double number) {
   if (number > 0.5 && number < local_last + 0.5) return &numbered_[whole_number(number)];
   const bool common = number > common_first - 0.5 && number < common_last + 0.5;
@@ -129,19 +136,32 @@ void ParameterStore::set_kept_variable(int number, double value) {
   }
 }
 
+// Under the number where it is kept; false: nobody has it there.
+bool ParameterStore::find_kept_place(int& number, ValueFault& fault) const {
+  if (!place_.where().rules.is_haas()) return true;
+  if (is_hidden_on_haas(number)) {
+    fault = no_variable(number);
+    return false;
+  }
+  number = haas_variable(number);
+  return true;
+}
+
 std::optional<double> ParameterStore::macro_variable(int number, ValueFault& fault) {
+  if (!find_kept_place(number, fault)) return std::nullopt;
   if (const double* const variable = variable_in_memory(number)) return *variable;
   if (number == 0) return unset;
-  if (number >= kept_variable_first && number <= kept_variable_last) return kept_variable(number);
+  if (is_common_variable(number)) return kept_variable(number);
   if (const auto value = system_variable(number, view(), place_.where().rules)) return value;
   fault = no_variable(number);
   return std::nullopt;
 }
 
 bool ParameterStore::set_macro_variable(int number, double value, ValueFault& fault) {
+  if (!find_kept_place(number, fault)) return false;
   if (double* const variable = variable_in_memory(number)) {
     *variable = value;
-  } else if (number >= kept_variable_first && number <= kept_variable_last) {
+  } else if (is_common_variable(number)) {
     set_kept_variable(number, value);
   } else {
     fault = no_variable(number);

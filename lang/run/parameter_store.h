@@ -94,6 +94,8 @@ class ParameterStore final : public Parameters {
   void keep_globals();
   // What the Fanuc dialect has under a number; nullptr for others than #1 to #33 and #100 to #199.
   [[nodiscard]] double* variable_in_memory(double number);
+  [[nodiscard]] bool find_kept_place(int& number, ValueFault& fault) const;
+  [[nodiscard]] bool is_common_variable(int number) const;
   std::optional<double> macro_variable(int number, ValueFault& fault);
   bool set_macro_variable(int number, double value, ValueFault& fault);
 

@@ -67,7 +67,10 @@ void PendingAnswer::expect_end(Diagnostic error) {
 
 void PendingAnswer::deliver(const Request& request) {
   owed_ = true;
-  if (request.kind == RequestKind::input_wait) use_ = AnswerUse::input_result;
+  if (request.kind == RequestKind::input_wait) {
+    use_ = request.statement ? AnswerUse::feedback : AnswerUse::input_result;
+    feedback_ = {request.number, request.index == 3, request.seconds};
+  }
   if (request.kind == RequestKind::probe_result)
     use_ = request.statement ? AnswerUse::probe_or_alarm : AnswerUse::probe;
 }
@@ -92,6 +95,7 @@ PendingAnswer::Taken PendingAnswer::take(const Answer& answer) {
     case AnswerUse::statement:
       return take_statement(answer);
     case AnswerUse::input_result:
+    case AnswerUse::feedback:
     case AnswerUse::restore_state:
     case AnswerUse::fail_run:
     case AnswerUse::probe:

@@ -26,6 +26,7 @@ enum class AnswerUse : std::uint8_t {
   push_number,
   push_text,
   input_result,    // M66
+  feedback,        // of an output of the machine builder: without it the run fails
   statement,       // a false result fails the run
   restore_state,   // restore_gvector
   fail_run,        // terminate
@@ -63,6 +64,13 @@ class PendingAnswer {
     bool is_statement = false;
   };
 
+  // A digital input, and how long it was waited for.
+  struct Feedback {
+    int input = 0;
+    bool on = false;
+    double timeout_s = 0.0;
+  };
+
   // A run begins: nothing is owed.
   void reset();
 
@@ -88,6 +96,9 @@ class PendingAnswer {
   [[nodiscard]] const ToolOverhang& overhang() const { return overhang_; }
   [[nodiscard]] const Diagnostic& end() const { return end_; }
 
+  // The feedback that was waited for.
+  [[nodiscard]] const Feedback& feedback() const { return feedback_; }
+
   // Why the last request was refused: channel_error ().
   [[nodiscard]] const std::string& channel_error() const { return channel_error_; }
   void set_channel_error(std::string_view text) { channel_error_ = text; }
@@ -105,6 +116,7 @@ class PendingAnswer {
   Restoring restoring_;
   ToolOverhang overhang_;
   Diagnostic end_;
+  Feedback feedback_;
   std::string channel_error_;
 };
 

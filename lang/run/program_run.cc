@@ -1,6 +1,7 @@
 #include "lang/run/program_run.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "base/assert.h"
@@ -292,6 +293,8 @@ void ProgramRun::finish(AnswerUse use, const Answer& answer) {
   switch (use) {
     case AnswerUse::input_result:
       return parameters_.set_input_result(answer.ok ? answer.number : -1.0);
+    case AnswerUse::feedback:
+      return take_feedback(answer);
     case AnswerUse::restore_state:
       return directives_.finish_restoring();
     case AnswerUse::overhang:
@@ -312,6 +315,17 @@ void ProgramRun::finish(AnswerUse use, const Answer& answer) {
     default:
       return;
   }
+}
+
+void ProgramRun::take_feedback(const Answer& answer) {
+  if (answer.ok) return;
+  const PendingAnswer::Feedback& wanted = pending_.feedback();
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%g", wanted.timeout_s);
+  vm_.fail("E5030",
+           "input " + std::to_string(wanted.input) + " did not go " + (wanted.on ? "on" : "off") +
+               " within " + seconds + " s",
+           "the feedback of this output");
 }
 
 void ProgramRun::take_probe_answer(AnswerUse use, const Answer& answer) {

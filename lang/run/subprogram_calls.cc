@@ -71,7 +71,9 @@ void SubprogramCalls::pop_frame() {
   leave_state_level(vm_.frames().size() - 1);
   Frame& frame = vm_.frame();
   if (frame.context && frame.context->of_caller) {
-    parameters_.exchange_locals(std::move(*frame.context->of_caller));
+    LocalParameters left = parameters_.exchange_locals(std::move(*frame.context->of_caller));
+    const bool modal = frame.context->modal_call && modal_ && std::exchange(modal_->runs, false);
+    if (modal && modal_->macro.number == g(66)) modal_->locals = std::move(left);
   }
   vm_.leave();
 }
@@ -233,7 +235,7 @@ void SubprogramCalls::make_modal(const MacroCode& macro) {
     return vm_.fail("E4013", "a macro is called for each block already", "end it with `G67`");
   }
   const auto call = numbered_call(g(65));
-  if (call) modal_ = ModalCall{*call, macro, state_.words};
+  if (call) modal_ = ModalCall{*call, macro, state_.words, {}, false};
   state_.calls_modal = modal_.has_value();
 }
 
@@ -261,6 +263,8 @@ void SubprogramCalls::call_modal() {
   Frame frame = numbered_frame(modal_->call);
   const bool each = modal_->macro.number == g(66, 1);
   give_arguments(frame, each ? state_.words : modal_->words, modal_->macro);
+  if (modal_->locals) parameters_.exchange_locals(*modal_->locals);
+  modal_->runs = true;
   frame.context->modal_call = true;
   frame.context->plain_of_caller = std::exchange(vm_.plain(), {});
   vm_.enter(std::move(frame));
@@ -380,7 +384,8 @@ SubprogramCalls::Left SubprogramCalls::leave_subprogram(Repeats repeats) {
     --frame.repeats;
     frame.position = frame.entry;
     vm_.stack().cut_to(frame.stack);
-    if (frame.context->arguments) {
+    // There the arguments are set for the first one of the repeats only.
+    if (frame.context->arguments && !rules_of(frame.file).is_fanuc()) {
       parameters_.exchange_locals(parameters_of(*frame.context->arguments, rules_of(frame.file)));
     }
     if (frame.block >= 0) return Left::again;

@@ -61,6 +61,9 @@ class SubprogramCalls {
     NumberedCall call;
     MacroCode macro;
     BlockWords words;  // of its block
+    // G66: what its macro left in the local variables, which are set once (B-63944EN, 16.6.2).
+    std::optional<LocalParameters> locals;
+    bool runs = false;
   };
   void make_modal(const MacroCode& macro);
   [[nodiscard]] bool modal_call_runs() const;

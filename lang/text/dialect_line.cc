@@ -8,8 +8,11 @@
 namespace stanok::lang {
 namespace {
 
-constexpr auto dialects = std::to_array<std::pair<std::string_view, Dialect>>(
-    {{"stanok", Dialect::stanok}, {"linuxcnc", Dialect::linuxcnc}, {"fanuc", Dialect::fanuc}});
+constexpr auto dialects =
+    std::to_array<std::pair<std::string_view, Dialect>>({{"stanok", Dialect::stanok},
+                                                         {"linuxcnc", Dialect::linuxcnc},
+                                                         {"fanuc", Dialect::fanuc},
+                                                         {"haas", Dialect::haas}});
 
 // The next word of `text`, which is left behind it.
 std::string next_word(std::string_view& text) {
@@ -54,16 +57,17 @@ DialectLine dialect_line(std::string_view line, const TextRules& usual) {
   const std::string system = next_word(rest);
   const auto dialect = dialect_called(name);
   const auto code_system = code_system_called(system);
+  const bool has_systems = dialect == Dialect::fanuc || dialect == Dialect::haas;
   if (!dialect) {
-    result.problem = "there is no dialect `" + name + "`; write stanok, linuxcnc or fanuc";
-  } else if (!system.empty() && (!code_system || dialect != Dialect::fanuc)) {
-    result.problem = "`" + system + "` is no code system; behind fanuc write A, B or C";
+    result.problem = "there is no dialect `" + name + "`; write stanok, linuxcnc, fanuc or haas";
+  } else if (!system.empty() && (!code_system || !has_systems)) {
+    result.problem = "`" + system + "` is no code system; behind fanuc and haas write A, B or C";
   } else if (!next_word(rest).empty()) {
     result.problem = "something stands behind the dialect; write e.g. `(dialect fanuc A)`";
   } else {
     rules.dialect = *dialect;
     if (code_system) rules.code_system = *code_system;
-    if (dialect != Dialect::fanuc) rules.code_system = CodeSystem::b;
+    if (!has_systems) rules.code_system = CodeSystem::b;
     result.rules = rules;
   }
   return result;

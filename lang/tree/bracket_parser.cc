@@ -17,6 +17,27 @@ Expression call_of(std::string_view function, const Span& span, Expression argum
   return call;
 }
 
+Expression binary(Operation operation, Expression left, Expression right) {
+  Expression made;
+  made.node = Node::binary;
+  made.operation = operation;
+  made.span = joined(left.span, right.span);
+  made.children.push_back(std::move(left));
+  made.children.push_back(std::move(right));
+  return made;
+}
+
+Expression number_at(double value, const Span& span) {
+  Expression number;
+  number.number = value;
+  number.span = span;
+  return number;
+}
+
+// Words whose values are whole numbers.
+constexpr std::string_view counted_words = "DGHLMNOPST";
+constexpr std::string_view angle_words = "ABC";
+
 // Folded, without the number that may follow directly: `#1EQ0`.
 std::string operator_name(const Token& token) {
   const std::string name = folded(token.text);
@@ -152,13 +173,7 @@ MaybeExpression BracketParser::parse_bracket_binary(int level) {
     scanner_.advance(found->name.size());
     auto right = parse_bracket_binary(level + 1);
     if (!right) return std::nullopt;
-    Expression binary;
-    binary.node = Node::binary;
-    binary.operation = found->operation;
-    binary.span = joined(left->span, right->span);
-    binary.children.push_back(std::move(*left));
-    binary.children.push_back(std::move(*right));
-    left = std::move(binary);
+    left = binary(found->operation, std::move(*left), std::move(*right));
   }
   return left;
 }
@@ -176,15 +191,34 @@ MaybeExpression BracketParser::parse_condition() {
 }
 
 Expression truth_of(Expression number) {
-  Expression zero;
-  zero.span = number.span;
-  Expression comparison;
-  comparison.node = Node::binary;
-  comparison.operation = Operation::not_equal;
-  comparison.span = number.span;
-  comparison.children.push_back(std::move(number));
-  comparison.children.push_back(std::move(zero));
-  return comparison;
+  const Span span = number.span;
+  return binary(Operation::not_equal, std::move(number), number_at(0.0, span));
+}
+
+MaybeExpression BracketParser::parse_word_value(char letter) {
+  word_ = letter;
+  auto value = parse_value();
+  word_ = 0;
+  return value;
+}
+
+// round (argument * scale) / scale; a length has ten times as many increments in an inch as in a
+// millimetre.
+Expression BracketParser::rounded_to_increment(Expression argument, const Span& span) const {
+  constexpr double per_mm = 1000.0;
+  constexpr double more_per_inch = 9000.0;
+  Expression scale = number_at(per_mm, span);
+  if (angle_words.find(word_) == std::string_view::npos) {
+    Expression in_inches;
+    in_inches.node = Node::named_parameter;
+    in_inches.text = "_imperial";
+    in_inches.span = span;
+    scale =
+        binary(Operation::add, std::move(scale),
+               binary(Operation::multiply, std::move(in_inches), number_at(more_per_inch, span)));
+  }
+  Expression counted = binary(Operation::multiply, std::move(argument), scale);
+  return binary(Operation::divide, call_of("round", span, std::move(counted)), std::move(scale));
 }
 
 MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
@@ -199,15 +233,23 @@ MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
   }
   auto argument = parse_bracket();
   if (!argument) return std::nullopt;
+  const bool to_increment = function == "round" && word_ != 0 && source_.rules().is_fanuc() &&
+                            counted_words.find(word_) == std::string_view::npos;
+  if (to_increment) {
+    const Span whole = joined(name_span, argument->span);
+    return rounded_to_increment(std::move(*argument), whole);
+  }
   Expression call = call_of(function, joined(name_span, argument->span), std::move(*argument));
   if (function == "exists") {
     call.node = Node::exists;
     if (call.children[0].node == Node::named_parameter) return call;
     if (call.children[0].node == Node::parameter) {
-      Expression exists;  // numbered ones always do
-      exists.number = 1.0;
-      exists.span = call.span;
-      return exists;
+      // As far as their numbers go, all of them do.
+      constexpr double last = 5602.0;
+      const Expression& n = call.children[0].children[0];
+      return binary(Operation::bracket_and,
+                    binary(Operation::bracket_greater_equal, n, number_at(1.0, call.span)),
+                    binary(Operation::bracket_less_equal, n, number_at(last, call.span)));
     }
     reporter_.error("E2001", call.span, "EXISTS takes a named parameter", "write EXISTS[#<name>]");
     return std::nullopt;

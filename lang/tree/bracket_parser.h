@@ -21,6 +21,9 @@ class BracketParser {
         scanner_(cursor.scanner()) {}
 
   MaybeExpression parse_value();
+  // Behind the address of a word. In the Fanuc dialect ROUND works there on the least input
+  // increment of the address (B-63944EN, 16.2): 0.001 mm or deg, 0.0001 inch.
+  MaybeExpression parse_word_value(char letter);
   // Behind `=` of a parameter: a value, or an expression without brackets around it.
   MaybeExpression parse_right_side() { return parse_bracket_binary(0); }
   // From `[`, a number that is true when it is not 0.
@@ -36,11 +39,13 @@ class BracketParser {
   MaybeExpression parse_bracket_function(std::string_view name);
   MaybeExpression parse_arc_tangent(Expression call);
   bool refuse_chain(const Token& comparison);
+  [[nodiscard]] Expression rounded_to_increment(Expression argument, const Span& span) const;
 
   TokenCursor& cursor_;
   const Source& source_;
   Reporter& reporter_;
   Scanner& scanner_;
+  char word_ = 0;  // address of the word whose value is read; 0: none
 };
 
 // A number as a condition: true when it is not 0.

@@ -1,5 +1,8 @@
 #include "lang/tree/comment_parser.h"
 
+#include <utility>
+
+#include "lang/text/limits.h"
 #include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
@@ -9,38 +12,6 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
-}
-
-Expression string_expression(std::string text, const Span& span) {
-  Expression expression;
-  expression.node = Node::string;
-  expression.span = span;
-  expression.text = std::move(text);
-  return expression;
-}
-
-// str (value, decimals)
-Expression as_text(Expression value, int decimals) {
-  Expression count;
-  count.number = decimals;
-  count.span = value.span;
-  Expression call;
-  call.node = Node::call;
-  call.span = value.span;
-  call.text = "str";
-  call.children.push_back(std::move(value));
-  call.children.push_back(std::move(count));
-  return call;
-}
-
-Expression concatenated(Expression left, Expression right) {
-  Expression sum;
-  sum.node = Node::binary;
-  sum.operation = Operation::add;
-  sum.span = left.span;
-  sum.children.push_back(std::move(left));
-  sum.children.push_back(std::move(right));
-  return sum;
 }
 
 // #5 or #<name> at the beginning of `text`; the length taken, 0 if there is none.
@@ -108,6 +79,37 @@ Expression comment_text(std::string_view text, const Span& span) {
 
 }  // namespace
 
+Expression string_expression(std::string text, const Span& span) {
+  Expression expression;
+  expression.node = Node::string;
+  expression.span = span;
+  expression.text = std::move(text);
+  return expression;
+}
+
+Expression concatenated(Expression left, Expression right) {
+  Expression sum;
+  sum.node = Node::binary;
+  sum.operation = Operation::add;
+  sum.span = left.span;
+  sum.children.push_back(std::move(left));
+  sum.children.push_back(std::move(right));
+  return sum;
+}
+
+Expression as_text(Expression value, int decimals) {
+  Expression count;
+  count.number = decimals;
+  count.span = value.span;
+  Expression call;
+  call.node = Node::call;
+  call.span = value.span;
+  call.text = "str";
+  call.children.push_back(std::move(value));
+  call.children.push_back(std::move(count));
+  return call;
+}
+
 bool parse_comment(TokenCursor& cursor, IsoBlock& block) {
   const Span span = cursor.scanner().here();
   const auto comment = cursor.scanner().read_parenthesis_comment();
@@ -115,6 +117,11 @@ bool parse_comment(TokenCursor& cursor, IsoBlock& block) {
   block.remark = trimmed(*comment);
   const std::size_t comma = comment->find(',');
   if (comma == std::string_view::npos) return true;
+  if (comment->size() > limits::block_bytes) {
+    cursor.reporter().error("E1007", span, "a comment with a comma is longer than 4096 bytes",
+                            "too long");
+    return false;
+  }
   const std::string word = folded(trimmed(comment->substr(0, comma)));
   const std::string_view text = comment->substr(comma + 1);
   if (word == "msg") {

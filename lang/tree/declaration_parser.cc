@@ -79,8 +79,10 @@ bool DeclarationParser::check_declared_name(const Token& name) {
   const std::string_view reason = reason_against(name.text);
   if (reason.empty()) return true;
   reporter_.spoil(name.text, name.span.offset);
-  reporter_.error("E3003", name.span, "`" + std::string(name.text) + "` cannot be declared",
-                  std::string(reason));
+  Diagnostic& diagnostic =
+      reporter_.error("E3003", name.span, "`" + std::string(name.text) + "` cannot be declared",
+                      std::string(reason));
+  if (name.text.size() == 1) diagnostic.help.emplace_back("write a longer name, e.g. `index`");
   return false;
 }
 

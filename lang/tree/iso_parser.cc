@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lang/block/macro_arguments.h"
 #include "lang/feed_law/feed_law_words.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
@@ -15,6 +16,12 @@ namespace {
 
 // Sets of I, J and K in a macro call.
 constexpr int argument_sets_max = 10;
+
+bool is_macro_call(const IsoBlock& block) {
+  return std::ranges::any_of(block.words, [](const IsoWord& word) {
+    return word.name.letter == 'G' && calls_macro(static_cast<CodeNumber>(word.name.code));
+  });
+}
 
 }  // namespace
 
@@ -39,7 +46,9 @@ MaybeStatement IsoParser::parse_iso() {
       break;
     }
     if (c == ';') {
-      scanner_.skip_line_comment();
+      const bool any = !block.words.empty() || !block.settings.empty();
+      if (any && !cursor_.skip_remark()) return std::nullopt;
+      if (!any) scanner_.skip_line_comment();
       break;
     }
     if (!parse_iso_part(block)) return std::nullopt;
@@ -158,7 +167,7 @@ bool IsoParser::parse_plain_value(IsoWord& word) {
   const char* at = first;
   word.value.span = scanner_.here();
   if (!read_number(at, end, word.value.number, word.whole)) {
-    auto value = brackets_.parse_value();
+    auto value = brackets_.parse_word_value(word.name.letter);
     if (value) word.value = std::move(*value);
     return value.has_value();
   }
@@ -180,7 +189,7 @@ bool IsoParser::parse_long_word(IsoBlock& block, std::string_view name) {
     if (is_bracket_function(folded(name.substr(1))) && scanner_.character(name.size()) == '[') {
       word.name.letter = upper_case(name[0]);
       scanner_.advance(1);
-      auto value = brackets_.parse_value();
+      auto value = brackets_.parse_word_value(word.name.letter);
       if (!value) return false;
       word.value = std::move(*value);
       word.span = scanner_.span_from(start, line);
@@ -282,10 +291,7 @@ bool IsoParser::translate_code(IsoWord& word) {
 // call.
 int IsoParser::argument_set(const IsoBlock& block, const IsoWord& word) {
   const auto is_of_set = [](char letter) { return letter >= 'I' && letter <= 'K'; };
-  const bool calls = std::ranges::any_of(block.words, [](const IsoWord& other) {
-    return other.name.letter == 'G' && calls_macro(static_cast<CodeNumber>(other.name.code));
-  });
-  if (!calls || !is_of_set(word.name.letter)) return 1;
+  if (!is_macro_call(block) || !is_of_set(word.name.letter)) return 1;
   int set = 1;
   char last = 0;
   const auto follow = [&](char letter) {
@@ -300,6 +306,20 @@ int IsoParser::argument_set(const IsoBlock& block, const IsoWord& word) {
   return set;
 }
 
+// Of two words that set the same local variable the later one holds (B-63944EN, 16.6.1: `I-3 I4 D5`
+// sets #7 to 5): the earlier one is taken out.
+void IsoParser::replace_argument(IsoBlock& block, const IsoWord& word) {
+  const auto parameter = [](const WordName& name) {
+    return name.letter != 0 ? parameter_of_argument(name.letter) : parameter_of_repeated(name.name);
+  };
+  const int number = parameter(word.name);
+  if (number == 0) return;
+  const bool is_letter_word = word.name.letter != 0;
+  std::erase_if(block.words, [&](const IsoWord& other) {
+    return (other.name.letter != 0) != is_letter_word && parameter(other.name) == number;
+  });
+}
+
 // I of the second set is `I2`, and so on.
 bool IsoParser::add_argument(IsoBlock& block, IsoWord word, int set) {
   const std::string letter(1, word.name.letter);
@@ -310,6 +330,7 @@ bool IsoParser::add_argument(IsoBlock& block, IsoWord word, int set) {
   }
   word.name.letter = 0;
   word.name.name = letter + std::to_string(set);
+  replace_argument(block, word);
   block.words.push_back(std::move(word));
   return true;
 }
@@ -341,6 +362,7 @@ bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
                     is_code ? "one too many" : "second word of this address");
     return false;
   }
+  if (is_macro_call(block)) replace_argument(block, word);
   block.words.push_back(std::move(word));
   return true;
 }

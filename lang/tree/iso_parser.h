@@ -42,6 +42,7 @@ class IsoParser {
   bool add_word(IsoBlock& block, IsoWord word);
   bool translate_code(IsoWord& word);
   static int argument_set(const IsoBlock& block, const IsoWord& word);
+  static void replace_argument(IsoBlock& block, const IsoWord& word);
   bool add_argument(IsoBlock& block, IsoWord word, int set);
   bool end_iso_in_braces();
 

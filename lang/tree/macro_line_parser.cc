@@ -1,32 +1,16 @@
 #include "lang/tree/macro_line_parser.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lang/text/block_number.h"
 #include "lang/text/limits.h"
+#include "lang/tree/comment_parser.h"
 
 namespace stanok::lang {
 namespace {
 
 constexpr std::string_view goto_word = "goto";
-
-Expression text_expression(std::string text, const Span& span) {
-  Expression expression;
-  expression.node = Node::string;
-  expression.span = span;
-  expression.text = std::move(text);
-  return expression;
-}
-
-Expression joined_texts(Expression left, Expression right) {
-  Expression sum;
-  sum.node = Node::binary;
-  sum.operation = Operation::add;
-  sum.span = left.span;
-  sum.children.push_back(std::move(left));
-  sum.children.push_back(std::move(right));
-  return sum;
-}
 
 }  // namespace
 
@@ -54,7 +38,12 @@ MaybeStatement MacroLineParser::parse_macro_line() {
 MaybeExpression MacroLineParser::parse_condition() {
   scanner_.advance(scanner_.name_ahead().size());
   scanner_.skip_blanks(LineEnds::significant);
-  return brackets_.parse_condition();
+  if (scanner_.character() == '[') return brackets_.parse_condition();
+  reporter_
+      .error("E2001", scanner_.here(), "the condition of a macro line stands in brackets",
+             "expected `[`")
+      .help.emplace_back("write e.g. `IF [#1 EQ 2] GOTO 10`");
+  return std::nullopt;
 }
 
 // The letters that stand here, without the digits behind them.
@@ -90,6 +79,22 @@ MaybeStatement MacroLineParser::parse_if() {
   if (!scanner_.at_line_end()) return parse_then(branch);
   if (!parse_branches(branch, span)) return std::nullopt;
   return statement_of(std::move(branch));
+}
+
+MaybeStatement MacroLineParser::parse_conditional_return() {
+  cursor_.set_line_ends(LineEnds::significant);
+  cursor_.begin_operators();
+  If branch;
+  branch.is_macro_line = true;
+  auto condition = brackets_.parse_condition();
+  if (!condition) return std::nullopt;
+  branch.condition = std::move(*condition);
+  scanner_.skip_blanks(LineEnds::significant);
+  const bool returns = upper_case(scanner_.character()) == 'M' && scanner_.character(1) == '9' &&
+                       scanner_.character(2) == '9' && !is_digit(scanner_.character(3));
+  if (returns) return parse_then(branch);
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`M99` behind the condition");
+  return std::nullopt;
 }
 
 // A jump or a block, whatever THEN is before it.
@@ -170,6 +175,14 @@ bool MacroLineParser::parse_loop_body(While& loop, const Span& opened) {
     reporter_.error("E2030", opened, "more than 64 nested loops and braces", "too deep");
     return false;
   }
+  if (std::ranges::find(open_loops_, number) != open_loops_.end()) {
+    reporter_
+        .error("E2013", opened, "`DO" + number + "` inside `DO" + number + "`",
+               "it is not clear which of them `END" + number + "` closes")
+        .help.emplace_back("give each of nested loops a number of its own");
+    return false;
+  }
+  open_loops_.push_back(number);
   ++cursor_.depth().o_lines;
   std::optional<std::string> end;
   while (!end && !scanner_.at_end()) {
@@ -178,6 +191,7 @@ bool MacroLineParser::parse_loop_body(While& loop, const Span& opened) {
     if (!end) statements_.parse_statement(loop.body);
   }
   --cursor_.depth().o_lines;
+  open_loops_.pop_back();
   cursor_.set_line_ends(LineEnds::significant);
   if (end == number) return finish_macro_line();
   reporter_.error("E2013", opened, "`DO" + number + "` is not closed",
@@ -239,11 +253,15 @@ MaybeStatement MacroLineParser::parse_print() {
   const Span span = scanner_.here(5);
   scanner_.advance(scanner_.name_ahead().size());
   scanner_.skip_blanks(LineEnds::significant);
-  Expression line = text_expression({}, span);
+  Expression line = string_expression({}, span);
   std::string text;
   for (scanner_.advance(1); scanner_.character() != ']';) {
     if (scanner_.at_line_end()) {
       reporter_.error("E2001", span, "`DPRNT[` is not closed", "`]` is missing on this line");
+      return std::nullopt;
+    }
+    if (scanner_.offset() - span.offset > limits::block_bytes) {
+      reporter_.error("E1007", span, "the block is longer than 4096 bytes", "too long");
       return std::nullopt;
     }
     if (scanner_.character() != '#') {
@@ -253,14 +271,14 @@ MaybeStatement MacroLineParser::parse_print() {
     }
     auto value = parse_printed_value();
     if (!value) return std::nullopt;
-    line = joined_texts(std::move(line), text_expression(std::exchange(text, {}), span));
-    line = joined_texts(std::move(line), std::move(*value));
+    line = concatenated(std::move(line), string_expression(std::exchange(text, {}), span));
+    line = concatenated(std::move(line), std::move(*value));
   }
   scanner_.advance(1);
   if (!finish_macro_line()) return std::nullopt;
   IsoBlock block;
   block.comments.push_back(
-      {Message::Kind::log, joined_texts(std::move(line), text_expression(text, span))});
+      {Message::Kind::log, concatenated(std::move(line), string_expression(text, span))});
   return statement_of(std::move(block));
 }
 
@@ -275,17 +293,9 @@ MaybeExpression MacroLineParser::parse_printed_value() {
                               "the digits before and behind the point, as in `[53]`");
     return std::nullopt;
   }
-  Expression decimals;
-  decimals.number = scanner_.character(2) - '0';
-  decimals.span = value->span;
+  const int decimals = scanner_.character(2) - '0';
   scanner_.advance(4);
-  Expression call;
-  call.node = Node::call;
-  call.span = value->span;
-  call.text = "str";
-  call.children.push_back(std::move(*value));
-  call.children.push_back(std::move(decimals));
-  return call;
+  return as_text(std::move(*value), decimals);
 }
 
 // Comments may follow, nothing else.
@@ -295,9 +305,8 @@ bool MacroLineParser::finish_macro_line() {
     if (!scanner_.read_parenthesis_comment()) return false;
     scanner_.skip_blanks(LineEnds::significant);
   }
-  if (scanner_.character() == ';') {
-    cursor_.inside_braces() ? scanner_.advance(1) : scanner_.skip_line_comment();
-  }
+  if (scanner_.character() == ';' && cursor_.inside_braces()) scanner_.advance(1);
+  if (scanner_.character() == ';' && !cursor_.skip_remark()) return false;
   scanner_.skip_blanks(LineEnds::significant);
   if (cursor_.at_statement_end()) return true;
   cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "the end of the line");

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lang/tree/bracket_parser.h"
 #include "lang/tree/iso_parser.h"
@@ -34,6 +35,8 @@ class MacroLineParser {
         scanner_(cursor.scanner()) {}
 
   MaybeStatement parse_macro_line();
+  // [..] M99 P10 of Haas.
+  MaybeStatement parse_conditional_return();
 
  private:
   MaybeStatement parse_if();
@@ -60,6 +63,7 @@ class MacroLineParser {
   StatementReader& statements_;
   Reporter& reporter_;
   Scanner& scanner_;
+  std::vector<std::string> open_loops_;  // numbers of the DO around what is read, outermost first
 };
 
 }  // namespace stanok::lang

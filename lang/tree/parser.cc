@@ -272,6 +272,8 @@ MaybeStatement Parser::parse_kind() {
   const bool o_line = is_digit(next) || next == '<' || next == '[' || next == '#';
   if (upper_case(c) == 'O' && o_line) return o_lines_.parse_o_line();
   if (c == '{') return statements_.parse_compound();
+  if (c == '[' && cursor_.source().rules().is_fanuc())
+    return macro_lines_.parse_conditional_return();
   if (c == '(' || c == '@' || c == '^' || c == '$') return iso_.parse_iso();
   if (is_letter(c) && !is_name_start(next)) return iso_.parse_iso();
   if (is_name_start(c)) return parse_named_start();
@@ -292,7 +294,8 @@ MaybeStatement Parser::parse_named_start() {
   std::size_t next = name.size();
   while (is_blank(scanner().character(next))) ++next;
   const char behind = scanner().character(next);
-  const bool macro_condition = (name == "if" || name == "while" || name == "wh") && behind == '[';
+  const bool macro_condition =
+      (name == "if" || name == "while" || name == "wh") && (behind == '[' || behind == '#');
   const bool macro_number = (name == "do" || name == "end") && is_digit(behind);
   const bool prints = ((name == "dprnt" || name == "bprnt") && behind == '[') ||
                       ((name == "popen" || name == "pclos") && !is_name_start(behind) &&

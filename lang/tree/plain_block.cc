@@ -29,6 +29,11 @@ bool skip_to_line_end(const char*& at, const char* end) {
   return true;
 }
 
+bool is_blank_line(const char* at, const char* end) {
+  while (at != end && is_blank(*at)) ++at;
+  return at == end || is_line_end(*at);
+}
+
 // Comments of the form (WORD,...) may have an effect.
 bool may_be_active(const char* at, const char* end) {
   while (at != end && is_blank(*at)) ++at;
@@ -131,6 +136,8 @@ bool read_words(const char*& at, const char* end, Surroundings surroundings, Blo
       if (!skip_parentheses(at, end)) return false;
     } else if (c == ';') {
       if (any && surroundings == Surroundings::braces) return false;
+      if (any && words.rules.is_fanuc())
+        return is_blank_line(at + 1, end) && skip_to_line_end(at, end);
       return skip_to_line_end(at, end);
     } else if (c == '#') {
       if (!values.read_setting(at) || (at != end && *at == '.')) return false;

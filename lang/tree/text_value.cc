@@ -108,7 +108,9 @@ TextValues::MaybeValue TextValues::read(const char*& at) {
   at_ = at;
   depth_ = 0;
   operators_ = 0;
+  in_word_ = true;
   const MaybeValue result = value();
+  in_word_ = false;
   if (result) at = at_;
   return result;
 }
@@ -254,6 +256,8 @@ TextValues::MaybeValue TextValues::function() {
   const BracketFunction* const function = find_bracket_function(ShortName(name).text(), rules_);
   const Builtin* const row = function == nullptr ? nullptr : builtin_of(function);
   if (row == nullptr) return std::nullopt;
+  // ROUND of a word goes by the increment of its address there: left to the parser.
+  if (in_word_ && rules_.is_fanuc() && function->name == "round") return std::nullopt;
   at_ += name.size();
   std::array<Value, 2> arguments;
   const std::size_t count = row->arguments.size();

@@ -101,9 +101,10 @@ class TextValues {
   const char* at_ = nullptr;
   const char* end_ = nullptr;
   TextRules rules_;
-  int depth_ = 0;      // as TokenCursor::nesting_
-  int operators_ = 0;  // of the current value
-  std::string name_;   // of the current parameter
+  int depth_ = 0;         // as TokenCursor::nesting_
+  int operators_ = 0;     // of the current value
+  bool in_word_ = false;  // the value is one of a word, not of a setting
+  std::string name_;      // of the current parameter
   std::vector<TextSetting> settings_;
   ValueFault fault_;
   std::string_view fault_text_;

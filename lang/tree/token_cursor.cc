@@ -60,6 +60,45 @@ bool TokenCursor::finish_line() {
   return false;
 }
 
+namespace {
+
+// Whether a text begins as blocks do: X1, G0, #5=1, GOTO 5.
+bool begins_block(std::string_view text) {
+  std::size_t at = 0;
+  const auto skip_blanks = [&] {
+    while (at < text.size() && is_blank(text[at])) ++at;
+  };
+  const auto character = [&] { return at < text.size() ? text[at] : '\0'; };
+  skip_blanks();
+  if (character() == '#') return true;
+  if (!is_letter(character())) return false;
+  ++at;
+  if (is_name_start(character())) {
+    const std::string word = folded(text.substr(at - 1, 4));
+    return word.starts_with("if") || word == "goto" || word == "whil";
+  }
+  skip_blanks();
+  const char c = character();
+  return is_digit(c) || c == '-' || c == '+' || c == '.' || c == '#' || c == '[';
+}
+
+}  // namespace
+
+bool TokenCursor::skip_remark() {
+  const std::size_t behind = scanner_.offset() + 1;
+  const std::string_view line = source_.text().substr(behind, source_.end() - behind);
+  const std::string_view rest = line.substr(0, line.find_first_of("\r\n"));
+  if (source_.rules().is_fanuc() && begins_block(rest)) {
+    reporter_
+        .error("E2004", scanner_.here(), "a block behind `;` on the same line",
+               "`;` ends a block in the dialect fanuc")
+        .help.emplace_back("put each block on its own line; remarks stand in ( )");
+    return false;
+  }
+  scanner_.skip_line_comment();
+  return true;
+}
+
 bool TokenCursor::Nesting::allowed() {
   if (cursor_.nesting_ - 1 <= limits::nesting) return true;
   cursor_.reporter_.error("E2030", cursor_.scanner_.here(), "an expression nested too deep",

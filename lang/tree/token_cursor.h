@@ -74,6 +74,9 @@ class TokenCursor {
   // Operators are counted from here on; chains of them become deep trees.
   void begin_operators() { operator_count_ = 0; }
   bool count_operator(const Span& span);
+  // At a `;` behind the words of a block: passes over the remark behind it. False, with a report,
+  // for a second block: `;` ends blocks on Fanuc controls.
+  bool skip_remark();
 
  private:
   const Source& source_;

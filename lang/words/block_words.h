@@ -51,6 +51,10 @@ struct CodeList {
   std::size_t count = 0;
 
   void add(CodeNumber number) { numbers[count++] = number; }
+  void remove(std::size_t index) {
+    std::copy(numbers.data() + index + 1, numbers.data() + count, numbers.data() + index);
+    --count;
+  }
 
   [[nodiscard]] const CodeNumber* begin() const { return numbers.data(); }
   [[nodiscard]] const CodeNumber* end() const { return numbers.data() + count; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "lang/text/source.h"
 #include "lang/words/law_address.h"
@@ -14,6 +15,10 @@ namespace {
 // M100 to M899 belong to the machine builder.
 constexpr int output_first = m(100);
 constexpr int output_last = m(899);
+
+// Of digital outputs and inputs, and of the time for a feedback.
+constexpr double signals_max = 63.0;
+constexpr double timeout_max_s = 3600.0;
 
 // Codes whose meaning the machine file cannot change.
 constexpr auto fixed_g =
@@ -44,7 +49,7 @@ Code row_of(const UserCode& output) {
   row.letter = 'M';
   row.number = static_cast<CodeNumber>(output.number);
   row.order = order_of(output.kind);
-  row.words = letters_of("PQ");
+  row.words = output.kind == UserCode::Kind::output_switched ? 0 : letters_of("PQ");
   row.action = CodeAction::send_machine_function;
   row.title = "function of the machine";
   return row;
@@ -71,6 +76,42 @@ bool read_code_name(std::string_view name, UserCode& code) {
     at += 2;
   }
   return at == end;
+}
+
+std::string no_output(const std::string& name) {
+  return "'" + name +
+         "' is no output; M100 to M899 can be one, and below the codes that have no meaning";
+}
+
+// "output 4 on, input 7 within 2 s"; false: it is not that.
+bool read_switched_output(std::string_view meaning, UserCode& code) {
+  std::vector<std::string> words(1);
+  for (const char c : meaning) {
+    const bool divides = is_blank(c) || c == ',';
+    if (divides && !words.back().empty()) words.emplace_back();
+    if (!divides) words.back() += c;
+  }
+  if (words.back().empty()) words.pop_back();
+  const auto number = [&](std::size_t place, double largest) {
+    double value = -1.0;
+    const std::string& word = words[place];
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool good = error == std::errc() && end == word.data() + word.size();
+    return good && value >= 0.0 && value <= largest ? value : -1.0;
+  };
+  const bool has_feedback = words.size() == 8;
+  if ((words.size() != 3 && !has_feedback) || (words[2] != "on" && words[2] != "off")) return false;
+  const double output = number(1, signals_max);
+  if (output < 0.0 || output != std::floor(output)) return false;
+  code.kind = UserCode::Kind::output_switched;
+  code.output = static_cast<int>(output);
+  code.on = words[2] == "on";
+  if (!has_feedback) return true;
+  const double feedback = number(4, signals_max);
+  code.timeout_s = number(6, timeout_max_s);
+  code.feedback = static_cast<int>(feedback);
+  return words[3] == "input" && words[5] == "within" && words[7] == "s" && feedback >= 0.0 &&
+         feedback == std::floor(feedback) && code.timeout_s > 0.0;
 }
 
 std::optional<UserCode::Kind> output_kind(std::string_view word) {
@@ -103,9 +144,8 @@ const Code* ChannelDialect::output(char letter, int number) const {
                          : &output_rows_[static_cast<std::size_t>(code - outputs_.data())];
 }
 
-bool ChannelDialect::output_waits(int number) const {
-  const UserCode* const code = find_in(outputs_, 'M', number);
-  return code != nullptr && code->waits;
+const UserCode* ChannelDialect::output_code(int number) const {
+  return find_in(outputs_, 'M', number);
 }
 
 std::string_view ChannelDialect::alias(char letter) const {
@@ -139,18 +179,20 @@ Expected<UserCode, std::string> read_user_code(std::string_view code, std::strin
   if (is_fixed(made.letter, made.number)) {
     return tl::unexpected("'" + name + "' cannot be given another meaning; use a free code");
   }
+  const bool ours = made.letter == 'M' && made.number <= output_last && made.number % 10 == 0 &&
+                    (made.number >= output_first ||
+                     find_code('M', static_cast<CodeNumber>(made.number)) == nullptr);
+  if (meaning.starts_with("output ")) {
+    if (!ours) return tl::unexpected(no_output(name));
+    if (read_switched_output(meaning, made)) return made;
+    return tl::unexpected("'" + std::string(meaning) +
+                          "' is no output; write it as in \"output 4 on, input 7 within 2 s\"");
+  }
   const std::size_t blank = meaning.find(' ');
   if (const auto kind = output_kind(meaning.substr(0, blank))) {
     made.kind = *kind;
     made.waits = blank != std::string_view::npos;
-    const bool ours = made.letter == 'M' && made.number <= output_last && made.number % 10 == 0 &&
-                      (made.number >= output_first ||
-                       find_code('M', static_cast<CodeNumber>(made.number)) == nullptr);
-    if (!ours) {
-      return tl::unexpected("'" + name +
-                            "' is no output; M100 to M899 can be one, and below the codes that "
-                            "have no meaning");
-    }
+    if (!ours) return tl::unexpected(no_output(name));
     if (made.waits && meaning.substr(blank + 1) != "wait") {
       return tl::unexpected("'" + std::string(meaning) + "' is no kind of output; behind '" +
                             std::string(meaning.substr(0, blank)) + "' only 'wait' may follow");
@@ -161,8 +203,9 @@ Expected<UserCode, std::string> read_user_code(std::string_view code, std::strin
   made.program = meaning.substr(0, colon);
   if (colon != std::string_view::npos) made.function = folded(meaning.substr(colon + 1));
   if (made.program.find('.') == std::string::npos) {
-    return tl::unexpected("'" + std::string(meaning) +
-                          "' is neither a program file nor before, after or with_motion");
+    return tl::unexpected(
+        "'" + std::string(meaning) +
+        "' is neither a program file nor before, after, with_motion or an output");
   }
   return made;
 }

@@ -22,8 +22,8 @@ class ChannelDialect {
   [[nodiscard]] const UserCode* macro(char letter, int number) const;
   // The row of an M code that is an output of the machine, or nullptr.
   [[nodiscard]] const Code* output(char letter, int number) const;
-  // Whether the program waits for standstill behind this output.
-  [[nodiscard]] bool output_waits(int number) const;
+  // The machine file's M code of this number, if it is an output.
+  [[nodiscard]] const UserCode* output_code(int number) const;
   // The named address for which a letter stands; empty if none.
   [[nodiscard]] std::string_view alias(char letter) const;
   [[nodiscard]] LetterSet alias_letters() const { return alias_letters_; }

@@ -27,6 +27,7 @@ constexpr auto values = std::to_array<Value>({
     {&Row::radius, &Message::radius, 0.0, length_max},
     {&Row::corner_radius, &Message::corner_radius, 0.0, length_max},
     {&Row::wear_length, &Message::wear_length, -length_max, length_max},
+    {&Row::wear_length_x, &Message::wear_length_x, -length_max, length_max},
     {&Row::wear_radius, &Message::wear_radius, -length_max, length_max},
     {&Row::overhang, &Message::overhang, -length_max, length_max},
     {&Row::flute_length, &Message::flute_length, 0.0, length_max},

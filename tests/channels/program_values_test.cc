@@ -67,7 +67,7 @@ TEST(Tables, OffsetsAreInProgramUnitsAndReadBackSo) {
 TEST(Tables, EntriesThatDoNotExistAreFalseOrAnError) {
   EXPECT_THAT(alarms_of("if (settable_zs (2, 1, X, 5) || settable_zs (1, 400, X, 5) ||\n"
                         "settable_zs (1, 1, \"Q\", 5) || settable_tool (700, 1, \"length\", 5) ||\n"
-                        "settable_tool (3, 1, \"weight\", 5) || settable_tool (3, 1, 11, 5) ||\n"
+                        "settable_tool (3, 1, \"weight\", 5) || settable_tool (3, 1, 12, 5) ||\n"
                         "settable_tool (3, 1, \"radius\", -1))\n{ terminate (1001, \"\"); }\n"),
               IsEmpty());
   EXPECT_THAT(alarms_of("settable_zs (1, 400, X, 5);\n"), ElementsAre("E5020"));

@@ -147,7 +147,8 @@ class FullFile : public ::testing::Test {
                  "[[tool]]\nnumber = 7\nedge = 2\nname = \"insert\"\nkind = \"insert\"\n"
                  "length = 60\nlength_x = -25\nlength_y = 1\nradius = 0.8\ncorner_radius = 0.4\n"
                  "flute_length = 1\nshank_diameter = 2\nholder_diameter = 3\nholder_length = 4\n"
-                 "wear_length = 0.01\nwear_radius = -0.02\noverhang = 30\norientation = 3\n"
+                 "wear_length = 0.01\nwear_length_x = -0.03\nwear_radius = -0.02\noverhang = "
+                 "30\norientation = 3\n"
                  "angle_front = 95\nangle_back = 5\n"
                  "[offset.G54]\nX2 = 1.5\n[offset.\"G54.1 P3\"]\nC2 = 45\n[offset.\"G59.1\"]\n");
     file_ = read_machine_file(files_.write("full.toml", full_file));
@@ -297,6 +298,7 @@ TEST_F(FullFile, ToolsAndOffsetsAreRead) {
   EXPECT_EQ(tool.holder_diameter, 3.0);
   EXPECT_EQ(tool.holder_length, 4.0);
   EXPECT_EQ(tool.wear_length, 0.01);
+  EXPECT_EQ(tool.wear_length_x, -0.03);
   EXPECT_EQ(tool.wear_radius, -0.02);
   EXPECT_EQ(tool.overhang, 30.0);
   EXPECT_EQ(tool.orientation, 3);

@@ -27,7 +27,8 @@ simulation::ToolRecord record_of(const channels::ToolRow& row) {
   shape.orientation = row.orientation;
   shape.angle_front = row.angle_front;
   shape.angle_back = row.angle_back;
-  record.mount.nose_to_tip = -Vector(row.length_x, row.length_y, row.length + row.wear_length);
+  record.mount.nose_to_tip =
+      -Vector(row.length_x + row.wear_length_x, row.length_y, row.length + row.wear_length);
   return record;
 }
 

@@ -190,6 +190,7 @@ export const english = {
   'tools.length_y': 'length Y',
   'tools.radius': 'radius',
   'tools.wear_length': 'wear of length',
+  'tools.wear_length_x': 'wear of length X',
   'tools.wear_radius': 'wear of radius',
   'tools.overhang': 'overhang',
   'tools.angle_front': 'front angle',

@@ -190,6 +190,7 @@ export const russian: Record<keyof typeof english, string> = {
   'tools.length_y': 'длина Y',
   'tools.radius': 'радиус',
   'tools.wear_length': 'износ длины',
+  'tools.wear_length_x': 'износ длины по X',
   'tools.wear_radius': 'износ радиуса',
   'tools.overhang': 'вылет',
   'tools.angle_front': 'угол спереди',

@@ -13,6 +13,13 @@ G65 P200 A1 I4 J5 K6 I7 K9 I10 J11 K12
 ; expect: rapid X4 Y5 Z6
 ; expect: rapid X7 Z9
 ; expect: rapid X10 Y11 Z12
+; Of two words for one variable the later one holds (the manual's example: #7 is 5).
+G65 P300 A1 B2 I-3 I4 D5
+; expect: rapid X1 Y2 Z-3
+; expect: rapid X5
+G65 P300 A1 B2 D5 I-3 I4
+; expect: rapid X1 Y2 Z-3
+; expect: rapid X4
 M30
 ; expect: end and rewind
 O100
@@ -28,4 +35,8 @@ O200
 X#4 Y#5 Z#6
 X#7 Y#8 Z#9
 X#10 Y#11 Z#12
+M99
+O300
+X#1 Y#2 Z#4
+X#7
 M99

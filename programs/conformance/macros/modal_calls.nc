@@ -27,6 +27,20 @@ X8
 G67
 X4
 ; expect: rapid X4
+; The arguments are set once: what the macro makes of them is there in the next call.
+G66 P300 A5
+X1
+; expect: rapid X1
+; expect: rapid Z6
+X2
+; expect: rapid X2
+; expect: rapid Z7
+G67
+G66 P300 A1
+X3
+; expect: rapid X3
+; expect: rapid Z2
+G67
 M30
 ; expect: coolant off
 ; expect: end and rewind
@@ -36,4 +50,8 @@ Z[#1+1]
 M99
 O200
 Y#24 Z#26
+M99
+O300
+#1=#1+1
+Z#1
 M99

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
         PlacedFaultCase{"G64 P-1", "E4008", 1, 5}, PlacedFaultCase{"M98", "E4007", 1, 1},
         PlacedFaultCase{"M98 P5", "E7005", 1, 1}, PlacedFaultCase{"G87 X1", "E2090", 1, 1},
         PlacedFaultCase{"G34 X1 K1", "E2090", 1, 1}, PlacedFaultCase{"G=17.33", "E4004", 1, 1},
-        PlacedFaultCase{"num gg = 101;\nG=gg", "E4004", 2, 1}));
+        PlacedFaultCase{"num gg = 106;\nG=gg", "E4004", 2, 1}));
 
 INSTANTIATE_TEST_SUITE_P(
     Runs, Fault,

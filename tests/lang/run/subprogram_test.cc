@@ -17,6 +17,54 @@ class Subprograms : public ProgramTest {
   }
 };
 
+TEST_F(Subprograms, SwitchAnOutputThatHasACodeAndWaitForItsFeedback) {
+  map("M11", "output 4 on, input 7 within 2.5 s");
+  map("M110", "output 5 off");
+  run("M11\nM110\nM30\n");
+  EXPECT_EQ(error.code, "");
+  const auto outputs = all<OutputCommand>();
+  ASSERT_EQ(outputs.size(), 2u);
+  EXPECT_EQ(outputs[0].number, 4);
+  EXPECT_EQ(outputs[0].value, 1.0);
+  EXPECT_EQ(outputs[1].number, 5);
+  EXPECT_EQ(outputs[1].value, 0.0);
+  const auto requests = all<Request>();
+  ASSERT_EQ(requests.size(), 1u);
+  EXPECT_EQ(requests[0].kind, RequestKind::input_wait);
+  EXPECT_EQ(requests[0].number, 7);
+  EXPECT_EQ(requests[0].index, 3);  // while on, as L3 of M66
+  EXPECT_EQ(requests[0].seconds, 2.5);
+}
+
+TEST_F(Subprograms, EndWhereTheFeedbackOfAnOutputDoesNotCome) {
+  map("M10", "output 4 off, input 7 within 2 s");
+  answering = [](const Request& request) {
+    Answer answer;
+    answer.ok = request.kind != RequestKind::input_wait;
+    return answer;
+  };
+  run("G0 X1\nM10\nX2\nM30\n");
+  EXPECT_EQ(error.code, "E5030");
+  EXPECT_EQ(error.place.line, 2);
+  EXPECT_EQ(error.message, "input 7 did not go off within 2 s");
+  EXPECT_EQ(all<Move>().size(), 1u);
+  run("M66 P7 L3 Q1\nX2\nM30\n");  // a result, no error
+  EXPECT_EQ(error.code, "");
+}
+
+TEST_F(Subprograms, RefuseOutputsThatAreNone) {
+  for (const char* meaning :
+       {"output 4", "output x on", "output 4 up", "output 99 on", "output 1.5 on",
+        "output 4 on, input 7", "output 4 on, input 7 within 0 s",
+        "output 4 on, input 7 within 2 m", "output -1 on", "output 4 on, input 99 within 2 s"}) {
+    EXPECT_FALSE(read_user_code("M11", meaning)) << meaning;
+  }
+  EXPECT_FALSE(read_user_code("M8", "output 4 on"));
+  EXPECT_FALSE(read_user_code("G200", "output 4 on"));
+  map("M11", "output 4 on");
+  EXPECT_EQ(error_code("M11 P1\nM30\n"), "E4003");
+}
+
 TEST_F(Subprograms, RefusesWhatStandsInTwoIncludedFiles) {
   files.texts["a.nc"] = "O5\nM99\nO<drill> sub\nO<drill> endsub\n";
   files.texts["b.nc"] = files.texts["a.nc"];

@@ -29,7 +29,7 @@ class Writer {
     begin();
     const std::size_t count = 1 + choices_.below(24);
     for (std::size_t n = 0; n < count; ++n) block();
-    return text_ + "M30\n";
+    return text_ + "M30\n" + (calls_ ? "O900\nG91 G1 X#1\nX-#1\nG90\nM99\n" : "");
   }
 
  private:
@@ -39,6 +39,9 @@ class Writer {
   void line(const std::string& block) { text_ += block + "\n"; }
 
   void begin() {
+    constexpr std::array<const char*, 3> dialects{"(dialect fanuc)", "(dialect haas)",
+                                                  "(dialect linuxcnc)"};
+    if (choices_.chance(0.4)) line(dialects[choices_.below(dialects.size())]);
     if (turns()) line("G18 G97 S600 M3");
     if (choices_.chance(0.1)) line("G20");
     if (choices_.chance(0.6)) path_mode();
@@ -75,7 +78,7 @@ class Writer {
   }
 
   void block() {
-    switch (choices_.below(18)) {
+    switch (choices_.below(20)) {
       case 0:
       case 1:
         return arc();
@@ -103,6 +106,9 @@ class Writer {
         return turns() ? thread() : compensated();
       case 13:
         return output();
+      case 14:
+      case 15:
+        return macro();
       default:
         return straight();
     }
@@ -195,6 +201,39 @@ class Writer {
       }
     }
     line((sweep > 0.0 ? "G3" : "G2") + words + feed_word());
+  }
+
+  // Flow, calls, polar words and pockets; all but the pocket come back to where they begin.
+  void macro() {
+    if (inverse_time_ || incremental_) return;
+    const std::string out = number(choices_.between(-5.0, 5.0));
+    const std::string label = std::to_string(10 * ++labels_);
+    switch (choices_.below(turns() ? 3 : 5)) {
+      case 0:
+        line("#1=0\nG91\nWHILE [#1 LT 3] DO 1\nG1 X" + out + feed_word() + "\nX[0-[" + out + "]]");
+        return line("#1=#1+1\nEND 1\nG90");
+      case 1:
+        line("#2=0\nN" + label + " #2=#2+1\nG91 G1 X" + out + feed_word() + "\nX[0-[" + out + "]]");
+        return line("G90\nIF [#2 LT 3] GOTO " + label);
+      case 2:
+        calls_ = true;
+        return line("G65 P900 A" + out + (choices_.chance(0.3) ? " L2" : ""));
+      case 3:
+        return polar();
+      default:
+        at_[2] -= choices_.between(0.01, 2.0);
+        return line("G1" + feed_word() + "\n" + (choices_.chance(0.5) ? "G12" : "G13") + " I" +
+                    number(choices_.between(0.5, 3.0)) + " K3.5 Q0.7 D0 Z" + number(at_[2]));
+    }
+  }
+
+  void polar() {
+    const double radius = choices_.between(0.5, 0.5 * reach_mm);
+    const double angle_deg = choices_.between(-180.0, 180.0);
+    line("G16 G1 X" + text_of(radius, 4) + " Y" + text_of(angle_deg, 4) + feed_word());
+    line("Y" + text_of(angle_deg + 30.0, 4));
+    line("G15");
+    line("G1" + axis_pair());
   }
 
   void full_circle() {
@@ -315,6 +354,8 @@ class Writer {
   bool incremental_ = false;
   bool inverse_time_ = false;
   bool per_revolution_ = false;
+  bool calls_ = false;
+  int labels_ = 0;
 };
 
 }  // namespace

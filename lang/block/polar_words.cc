@@ -1,0 +1,117 @@
+// Polar input, G16: the words of the plane's first and second axis are a radius and an angle.
+//
+// The centre is the zero of the program, for a radius in G91 the position. What a block leaves out
+// stays as it was; an angle in G91 is added. Angles in deg, from the first axis towards the second.
+// Source: Fanuc operator's manual B-63944EN, 5.5. Moves and drilling cycles have them; other codes,
+// and G53, take their words as they are.
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "base/angle.h"
+#include "lang/block/axis_words.h"
+#include "lang/block/plane_element.h"
+
+namespace stanok::lang {
+namespace {
+
+struct PlaneAxes {
+  AxisIndex first;
+  AxisIndex second;
+};
+
+PlaneAxes plane_axes(const ActiveBlock& block) {
+  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
+  return {block.channel_words.geometry_axis(plane.first),
+          block.channel_words.geometry_axis(plane.second)};
+}
+
+void centre_at_position(const ActiveBlock& block, const PlaneAxes& axes, PolarInput& polar) {
+  polar.centre = {block.modal.programmed_position(axes.first),
+                  block.modal.programmed_position(axes.second)};
+}
+
+void put_polar_point(ActiveBlock& block, const PlaneAxes& axes, const PolarInput& polar) {
+  block.values[axes.first] = polar.centre[0] + polar.radius * cosine_of_degrees(polar.angle_deg);
+  block.values[axes.second] = polar.centre[1] + polar.radius * sine_of_degrees(polar.angle_deg);
+  const auto both = static_cast<AxisSet>(axis_bit(axes.first) | axis_bit(axes.second));
+  block.programmed = static_cast<AxisSet>(block.programmed | both);
+  block.absolute = both;
+}
+
+// From the position, as if it had been programmed.
+void begin_polar_input(const ActiveBlock& block, const PlaneAxes& axes, PolarInput& polar) {
+  const double first = block.modal.programmed_position(axes.first);
+  const double second = block.modal.programmed_position(axes.second);
+  polar = {};
+  polar.is_known = true;
+  polar.plane = block.modal.plane();
+  polar.radius = std::hypot(first, second);
+  polar.angle_deg = std::atan2(second, first) * 180.0 / std::numbers::pi;
+}
+
+bool takes_polar_words(const Code& code) {
+  switch (code.action) {
+    case CodeAction::move_straight:
+    case CodeAction::move_in_arc:
+    case CodeAction::drill_hole:
+    case CodeAction::drill_or_repeat:
+    case CodeAction::peck_or_tap:
+    case CodeAction::bore_or_thread:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void refuse_other_motion(ActiveBlock& block, const Code& code) {
+  if (code.group != Group::motion || takes_polar_words(code)) return;
+  BlockFault& fault =
+      block.fail("E4301", code_word(code.number),
+                 "`" + code_text('G', code.number) + "` is not allowed while polar input is active",
+                 "not in this mode");
+  fault.notes.push_back(block.modal.origin_of(Group::polar));
+  fault.help.emplace_back("switch it off with `G15` before");
+}
+
+}  // namespace
+
+void take_polar_words(ActiveBlock& block, const Code& user) {
+  const bool begins = block.words.g.has(g(16));
+  if (block.modal.code(Group::polar) != g(16) || block.machine_coordinates) return;
+  refuse_other_motion(block, user);
+  if (!takes_polar_words(user) || block.failed()) return;
+  const PlaneAxes axes = plane_axes(block);
+  if (!axes.first.exists() || !axes.second.exists()) return;
+  const bool has_radius = is_programmed(block, axes.first);
+  const bool has_angle = is_programmed(block, axes.second);
+  PolarInput& polar = block.modal.frames.polar;
+  if (begins || !polar.is_known || polar.plane != block.modal.plane())
+    begin_polar_input(block, axes, polar);
+  if (!has_radius && !has_angle) return;
+  const bool increments = block.modal.incremental();
+  polar.from_position = has_radius && increments;
+  polar.step_deg = 0.0;
+  if (has_radius) {
+    polar.radius = block.values[axes.first];
+    polar.centre = {};
+    if (increments) centre_at_position(block, axes, polar);
+  }
+  if (has_angle) {
+    const double angle_deg = block.values[axes.second] / block.length_unit();
+    if (increments) polar.step_deg = angle_deg;
+    polar.angle_deg = polar.step_deg + (increments ? polar.angle_deg : angle_deg);
+  }
+  put_polar_point(block, axes, polar);
+}
+
+void repeat_polar_words(ActiveBlock& block) {
+  if (block.absolute == 0) return;
+  const PlaneAxes axes = plane_axes(block);
+  PolarInput& polar = block.modal.frames.polar;
+  if (polar.from_position) centre_at_position(block, axes, polar);
+  polar.angle_deg += polar.step_deg;
+  put_polar_point(block, axes, polar);
+}
+
+}  // namespace stanok::lang
