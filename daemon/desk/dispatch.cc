@@ -333,9 +333,13 @@ void Dispatch::shut_down(const Call& call) {
 CommandResult Dispatch::lower_role(const Call& call) {
   const auto wanted = protocol::role_named(call.parameters["role"].get<std::string>());
   call.session.role = std::min(call.session.role, wanted.value_or(call.session.role));
-  // The name is what the client says; who the client is stays behind it.
+  // The name is what the client says; who the client is stays behind it. The server of the page
+  // says it first: what a browser says afterwards changes nothing.
   const auto name = call.parameters.value("name", std::string());
-  if (!name.empty()) call.session.peer = name + " (" + call.session.peer + ")";
+  if (!name.empty() && !call.session.is_named) {
+    call.session.peer = name + " (" + call.session.peer + ")";
+    call.session.is_named = true;
+  }
   return json{{"role", protocol::role_name(call.session.role)}};
 }
 

@@ -25,7 +25,8 @@ namespace stanok::daemon {
 struct SessionState {
   int id = 0;
   protocol::Role role = protocol::Role::observer;
-  std::string peer;  // for logs: "uid 1000, pid 4711"
+  std::string peer;       // for logs: "uid 1000, pid 4711"
+  bool is_named = false;  // who works there was told
   Subscription subscription;
   // Stops that the daemon had taken when the current request came in.
   std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();

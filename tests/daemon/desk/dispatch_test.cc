@@ -467,6 +467,9 @@ TEST_F(DispatchTest, LetsRolesGoDownOnly) {
   EXPECT_EQ(failure("session.role", {{"role", "integrator"}, {"name", "An\nna"}}).kind,
             FailureKind::invalid_parameters)
       << "would begin a line in the log";
+  const std::string named = session.peer;
+  static_cast<void>(result("session.role", {{"role", "integrator"}, {"name", "Boris"}}));
+  EXPECT_EQ(session.peer, named) << "a browser could pretend to be somebody else";
   EXPECT_EQ(result("session.role", {{"role", "observer"}})["role"], "observer");
   EXPECT_EQ(result("session.role", {{"role", "operator"}})["role"], "observer");
   EXPECT_EQ(failure("program.hold").kind, FailureKind::not_permitted);
