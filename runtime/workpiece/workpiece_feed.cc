@@ -1,9 +1,9 @@
-#include "client/offline/workpiece/workpiece_feed.h"
+#include "runtime/workpiece/workpiece_feed.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 using simulation::Vector;
@@ -166,4 +166,4 @@ void ChannelFeed::hear(const WorkpieceNews& news, const simulation::Sample& now)
   if (all > shapes) follower_.place(news.placement, now);
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -9,7 +9,7 @@
 #include "config/files/machine_file.h"
 #include "simulation/workpiece_follower.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 [[nodiscard]] simulation::ChannelGeometry geometry_of(const channels::MachineConfig& machine,
                                                       const channels::ChannelConfig& channel);
@@ -59,4 +59,4 @@ class ChannelFeed {
   std::uint32_t shapes_ = 0;
 };
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime
