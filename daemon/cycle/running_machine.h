@@ -19,6 +19,7 @@
 #include "plant/drive/fault.h"
 #include "recording/log/log_writer.h"
 #include "runtime/foresight/foresight.h"
+#include "runtime/workpiece/live_workpieces.h"
 
 namespace stanok::daemon {
 
@@ -81,6 +82,8 @@ class RunningMachine {
 
   [[nodiscard]] virtual LoopStatistics loop_statistics() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
+  // What is cut while the machine runs; nullptr: nobody follows it. Lives as long as the machine.
+  [[nodiscard]] virtual runtime::LiveWorkpieces* live_workpieces() = 0;
   // Outputs and inputs of cycles that the recorder was too late for.
   [[nodiscard]] virtual std::uint64_t outputs_lost() = 0;
   [[nodiscard]] virtual std::uint64_t inputs_lost() = 0;

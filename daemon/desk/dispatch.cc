@@ -67,6 +67,7 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       desk_(machine, notes_),
       programs_(machine),
       report_(machine, notes_),
+      surfaces_(machine),
       started_(std::chrono::steady_clock::now()) {}
 
 const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
@@ -130,6 +131,11 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
        [](Dispatch& d, const json& p) { return d.report_.process(d.channel_or_first(p)); }},
       {"workpiece.status", [](Dispatch& d, const json&) { return workpiece_status(d.machine_); }},
       {"workpiece.allow",
+      {"workpiece.surface",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.surfaces_.surface(call.session.id, call.parameters, channel, std::move(call.answer));
+       }},
        [](Dispatch& d, const Call& call) { return d.allow_workpieces(call.parameters); }},
       {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
       {"log.start", [](Dispatch& d, const Call&) { return d.start_log(); }},
@@ -193,6 +199,7 @@ void Dispatch::control_channel(Call call) {
     answer(json{{"channel", channel}, {"controlled_by", control_.holder(channel)}});
   });
 }
+  surfaces_.forget(session);
 
 // Sessions end without a word, and an order may find no room: what the cycle was not told yet.
 void Dispatch::tell_control() {

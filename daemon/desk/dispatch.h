@@ -18,6 +18,7 @@
 #include "daemon/desk/status_report.h"
 #include "daemon/desk/subscription.h"
 #include "protocol/json_rpc.h"
+#include "daemon/desk/surface_desk.h"
 
 namespace stanok::daemon {
 
@@ -61,6 +62,7 @@ class Dispatch {
     desk_.tick(now);
     programs_.tick();
   }
+    surfaces_.tick();
   void set_clients(std::size_t clients) { clients_ = clients; }
   // The session has ended.
   void forget(int session);
@@ -120,6 +122,7 @@ class Dispatch {
   CommandDesk desk_;
   ProgramDesk programs_;
   StatusReport report_;
+  SurfaceDesk surfaces_;
   std::size_t clients_ = 0;
   SteadyTime started_;
 };

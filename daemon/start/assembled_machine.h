@@ -78,6 +78,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
     return foresight_.planned_path(channel);
   }
   [[nodiscard]] LoopStatistics loop_statistics() override;
+  [[nodiscard]] runtime::LiveWorkpieces* live_workpieces() override { return &workpieces_; }
   [[nodiscard]] RealTimeRights real_time_rights() override;
   [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
   [[nodiscard]] std::uint64_t inputs_lost() override { return machine_.inputs_lost(); }
@@ -116,5 +117,6 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   RealTimeRights rights_;
   runtime::Foresight foresight_;
 };
+  runtime::LiveWorkpieces workpieces_;
 
 }  // namespace stanok::daemon

@@ -58,6 +58,15 @@ simulation::Blank blank_of(int type, const double* size, const double* zero, dou
   return blank;
 }
 
+// As fine as the blank wants to be, or as fits; sizes that are none stay as they are.
+simulation::Blank fitting(simulation::Blank blank, std::uint64_t memory_max) {
+  constexpr double coarser = 1.25;
+  for (auto grid = grid_of(blank, memory_max); !grid && grid.error().code == "E9203";
+       grid = grid_of(blank, memory_max))
+    blank.resolution *= coarser;
+  return blank;
+}
+
 bool turns(const channels::ChannelOutput& output) {
   return std::ranges::any_of(output.process.spindles, [](const channels::SpindleSetpoint& spindle) {
     return spindle.id != 0 && std::abs(spindle.rev_per_min) >= standing_rev_per_min;
@@ -148,6 +157,7 @@ ChannelFeed::ChannelFeed(const channels::MachineConfig& machine,
                          const channels::ChannelConfig& channel, std::uint64_t memory_max,
                          simulation::WorkpieceFollower::Complaint complain)
     : channel_(channel.id),
+      memory_max_(memory_max),
       follower_(geometry_of(machine, channel), tools_of(machine.tables), memory_max,
                 std::move(complain)) {}
 
@@ -157,12 +167,23 @@ void ChannelFeed::hear_of_tool(const channels::ToolRow& row) {
   if (row.number != 0) follower_.change_tool(row.number, row.edge, record_of(row));
 }
 
+void ChannelFeed::take(const simulation::Sample& sample, const channels::ToolRow& tool,
+                       const channels::Workpiece& workpiece) {
+  hear_of_tool(tool);
+  if (!has_heard(workpiece.announcements)) hear(news_of(workpiece), sample);
+  follow(sample);
+}
+
 void ChannelFeed::hear(const WorkpieceNews& news, const simulation::Sample& now) {
   const std::uint32_t all = news.announcements - announcements_;
   const std::uint32_t shapes = news.shapes - shapes_;
   announcements_ = news.announcements;
   shapes_ = news.shapes;
-  if (shapes != 0) follower_.announce(news.blank, now);
+  if (shapes != 0) {
+    simulation::Announcement announcement = news.blank;
+    if (takes_what_fits_) announcement.blank = fitting(announcement.blank, memory_max_);
+    follower_.announce(announcement, now);
+  }
   if (all > shapes) follower_.place(news.placement, now);
 }
 

@@ -47,12 +47,20 @@ class ChannelFeed {
   // beginning of the run or later, is over.
   void hear_of_tool(const channels::ToolRow& row);
   void follow(const simulation::Sample& sample) { follower_.follow(sample); }
+  // A cycle with all that it says: tool and workpiece come before the sample.
+  void take(const simulation::Sample& sample, const channels::ToolRow& tool,
+            const channels::Workpiece& workpiece);
+
+  // Blanks are taken as fine as the memory allows, where they want to be finer.
+  void take_what_fits() { takes_what_fits_ = true; }
 
   [[nodiscard]] int channel() const { return channel_; }
   [[nodiscard]] simulation::WorkpieceFollower& follower() { return follower_; }
 
  private:
   int channel_;
+  std::uint64_t memory_max_;
+  bool takes_what_fits_ = false;
   simulation::WorkpieceFollower follower_;
   channels::ToolRow tool_row_;  // that was told last
   std::uint32_t announcements_ = 0;

@@ -135,6 +135,7 @@ class FakeMachine final : public RunningMachine {
   void foreseen_begins(int, runtime::RunsOfChannels) override {}
   [[nodiscard]] runtime::Outlook outlook(int) override { return expected; }
   [[nodiscard]] std::shared_ptr<const runtime::PlannedPath> planned_path(int) override {
+  [[nodiscard]] runtime::LiveWorkpieces* live_workpieces() override { return nullptr; }
     return planned;
   }
 

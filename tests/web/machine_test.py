@@ -140,6 +140,62 @@ class AtTheMachine(unittest.TestCase):
         window.close()
 
     def test_programs_are_edited_by_who_knows_their_version(self):
+    def test_a_workpiece_is_seen_while_it_is_cut(self):
+        window = self.open_window()
+        self.switch_on(window)
+        # A block of 40 x 30 x 10 mm, and a slot along X of the width of the tool, 2 mm deep.
+        radius = 4
+        window.ask("tool.load", tables=f'[[tool]]\nnumber = 1\nkind = "flat"\nradius = {radius}.0\nlength = 0.0\n'
+                                       "overhang = 40.0\n")
+        program = ("G21 G90 G17\n#workpiece (0, 0.5, 0, 40, 30, 10, 0, 0, 10)\nT1 M6\nM3 S3000\n"
+                   "G0 X-20 Y15 Z5\nG1 Z-2 F6000\nG1 X60\nG0 Z5\nM30\n")
+        window.ask("program.write", program="slot.nc", text=program)
+        self.insist(window, "program.run", code="E6008", program="slot.nc")
+        wanted = 40 * 30 * 10 - 40 * 2 * radius * 2
+        bricks, known = {}, {"workpiece": 0, "since": 0}
+        end = time.monotonic() + PATIENCE_S
+        while abs(self.volume_of(bricks) - wanted) > 0.01 * wanted:
+            self.assertLess(time.monotonic(), end, self.volume_of(bricks))
+            self.look_at_surface(window, bricks, known)
+        self.assertEqual({tool for corners in bricks.values() for _, tool in corners}, {0, 1})
+        window.close()
+
+    def look_at_surface(self, window, bricks, known):
+        """All that has changed behind the version that is known, page by page."""
+        start, version = 0, None
+        while start is not None:
+            page = window.ask("workpiece.surface", **known, **{"from": start})
+            if page["workpiece"] is None:
+                time.sleep(0.05)
+                return
+            if page["workpiece"] != known["workpiece"]:
+                bricks.clear()
+                known.update(workpiece=page["workpiece"], since=0)
+            version = version or page["version"]
+            if not window.binary:
+                opcode, payload = window.receive_frame()
+                self.assertEqual(opcode, 2)
+                window.binary.append(payload)
+            kind, _, _, count = struct.unpack_from("<4I", frame := window.binary.pop())
+            self.assertEqual((kind, count), (2, page["geometry"]["count"]))
+            numbers = struct.unpack_from(f"<{3 * count}f", frame, 16)
+            tools = struct.unpack_from(f"<{count}I", frame, 16 + 12 * count)
+            corners = list(zip(zip(*[iter(numbers)] * 3), tools))
+            for brick, first, behind in page["geometry"]["bricks"]:
+                bricks[brick] = corners[first:behind]
+            start = page["next"]
+        known["since"] = version
+
+    @staticmethod
+    def volume_of(bricks):
+        """By the divergence theorem."""
+        volume = 0
+        for corners in bricks.values():
+            for a, b, c in zip(*[iter(place for place, _ in corners)] * 3):
+                volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                           a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
+        return volume
+
         window = self.open_window()
         text = window.ask("program.read", program="part.nc")
         self.assertEqual(text["text"], LONG_PROGRAM)
