@@ -23,6 +23,8 @@
 
 namespace stanok::daemon {
 
+class Scope;
+
 // Where the records of the machine go.
 struct RecordingStatus {
   std::string lcm_url;  // empty: switched off
@@ -79,11 +81,12 @@ class RunningMachine {
   [[nodiscard]] virtual runtime::Outlook outlook(int channel) = 0;
   // nullptr: nothing is known of it.
   [[nodiscard]] virtual std::shared_ptr<const runtime::PlannedPath> planned_path(int channel) = 0;
-
-  [[nodiscard]] virtual LoopStatistics loop_statistics() = 0;
-  [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
   // What is cut while the machine runs; nullptr: nobody follows it. Lives as long as the machine.
   [[nodiscard]] virtual runtime::LiveWorkpieces* live_workpieces() = 0;
+
+  [[nodiscard]] virtual Scope& scope() = 0;
+  [[nodiscard]] virtual LoopStatistics loop_statistics() = 0;
+  [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
   // Outputs and inputs of cycles that the recorder was too late for.
   [[nodiscard]] virtual std::uint64_t outputs_lost() = 0;
   [[nodiscard]] virtual std::uint64_t inputs_lost() = 0;

@@ -9,6 +9,7 @@
 #include "daemon/desk/inventory.h"
 #include "daemon/desk/operator_command.h"
 #include "daemon/desk/table_loading.h"
+#include "daemon/scope/scope_desk.h"
 #include "protocol/discovery.h"
 #include "protocol/json_text.h"
 #include "protocol/version.h"
@@ -66,8 +67,8 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       on_shutdown_(std::move(on_shutdown)),
       desk_(machine, notes_),
       programs_(machine),
-      report_(machine, notes_),
       surfaces_(machine),
+      report_(machine, notes_),
       started_(std::chrono::steady_clock::now()) {}
 
 const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
@@ -130,13 +131,28 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
       {"process.status",
        [](Dispatch& d, const json& p) { return d.report_.process(d.channel_or_first(p)); }},
       {"workpiece.status", [](Dispatch& d, const json&) { return workpiece_status(d.machine_); }},
-      {"workpiece.allow",
       {"workpiece.surface",
        [](Dispatch& d, Call call) {
          const int channel = d.channel_or_first(call.parameters);
          d.surfaces_.surface(call.session.id, call.parameters, channel, std::move(call.answer));
        }},
+      {"workpiece.allow",
        [](Dispatch& d, const Call& call) { return d.allow_workpieces(call.parameters); }},
+      {"scope.signals",
+       [](Dispatch& d, const json&) { return scope_signal_list(d.machine_.file().machine); }},
+      {"scope.start",
+       [](Dispatch& d, const Call& call) {
+         return start_scope(d.machine_.scope(), d.machine_.file().machine, call.parameters);
+       }},
+      {"scope.stop",
+       [](Dispatch& d, const Call&) -> CommandResult {
+         d.machine_.scope().stop();
+         return json{{"accepted", true}};
+       }},
+      {"scope.read",
+       [](Dispatch& d, const json& p) {
+         return scope_reading(d.machine_.scope(), d.machine_.file().machine, p);
+       }},
       {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
       {"log.start", [](Dispatch& d, const Call&) { return d.start_log(); }},
       {"log.stop", [](Dispatch& d, const Call&) { return d.stop_log(); }},
@@ -172,6 +188,7 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
 void Dispatch::forget(int session) {
   control_.forget(session);
   programs_.forget(session);
+  surfaces_.forget(session);
   note_control();
   tell_control();
 }
@@ -199,7 +216,6 @@ void Dispatch::control_channel(Call call) {
     answer(json{{"channel", channel}, {"controlled_by", control_.holder(channel)}});
   });
 }
-  surfaces_.forget(session);
 
 // Sessions end without a word, and an order may find no room: what the cycle was not told yet.
 void Dispatch::tell_control() {

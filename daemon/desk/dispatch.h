@@ -17,8 +17,8 @@
 #include "daemon/desk/program_desk.h"
 #include "daemon/desk/status_report.h"
 #include "daemon/desk/subscription.h"
-#include "protocol/json_rpc.h"
 #include "daemon/desk/surface_desk.h"
+#include "protocol/json_rpc.h"
 
 namespace stanok::daemon {
 
@@ -61,8 +61,8 @@ class Dispatch {
     tell_control();
     desk_.tick(now);
     programs_.tick();
-  }
     surfaces_.tick();
+  }
   void set_clients(std::size_t clients) { clients_ = clients; }
   // The session has ended.
   void forget(int session);
@@ -121,8 +121,8 @@ class Dispatch {
   std::map<int, int> told_control_;  // session by channel, as the cycle was told; -1: not known
   CommandDesk desk_;
   ProgramDesk programs_;
-  StatusReport report_;
   SurfaceDesk surfaces_;
+  StatusReport report_;
   std::size_t clients_ = 0;
   SteadyTime started_;
 };

@@ -115,6 +115,7 @@ json parameters_of(const protocol::Method& method) {
       {"mdi", {{"text", "G4 P0.01"}}},
       {"jog", {{"axis", "Y"}, {"velocity", 5.0}}},
       {"process.interrupt", {{"la", 0.0}}},
+      {"scope.start", {{"signals", "cycle.time"}}},
       {"process.automatic", {{"law", "linear"}, {"on", 1}}},
       {"process.adaptive", {{"action", "off"}}},
   };

@@ -43,8 +43,10 @@ def check(operator):
     seen = set()
 
     def ask(method, /, **parameters):
-        jsonschema.validate(operator.ask(method, **parameters), schemas[method])
+        result = operator.ask(method, **parameters)
+        jsonschema.validate(result, schemas[method])
         seen.add(method)
+        return result
 
     looking = [method["name"] for method in methods if only_looks(method)]
 
@@ -74,6 +76,9 @@ def check(operator):
     ask("program.reset")
     ask("mdi", text="G90", wait="done")
     ask("workpiece.allow", on=1)
+    ask("scope.start", signals="X.position cycle.time", trigger="alarm")
+    ask("scope.stop")
+    ask("scope.read")
     ask("channel.control", on=1)
     ask("channel.control", on=0)
     ask("program.run", program="part.nc")
