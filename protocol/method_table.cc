@@ -34,6 +34,7 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
     {"process", "cutting process and adaptive control"},
     {"workpiece", "virtual workpiece"},
     {"scope", "signals at the full cycle rate"},
+    {"history", "logs of earlier runs"},
     {"log", "log files and recorder"},
     {"session", "this connection"},
     {"system", "the daemon itself"},

@@ -1,4 +1,4 @@
-// Rows of the command table: the scope, signals at the full cycle rate.
+// Rows of the command table: the scope, signals at the full cycle rate; and logs, what was.
 #include <array>
 
 #include "protocol/method_rows.h"
@@ -72,6 +72,17 @@ constexpr std::array of_scope_start{signals, trigger, signal, level,  edge,
                               event,   line,    channel, before, length};
 constexpr std::array of_scope_read{first};
 
+constexpr Parameter log_name = required_text("file", "name of a log, as history.logs tells it");
+
+constexpr Parameter page_of_log{.name = "page",
+                                .type = ParameterType::integer,
+                         .minimum = 0,
+                         .maximum = 1e6,
+                         .help = "page of the path, from 0; default 0, which reads the log anew"};
+
+constexpr std::array of_log{log_name};
+constexpr std::array of_logged_path{log_name, channel, page_of_log};
+
 constexpr auto scope_rows = std::to_array<Method>({
     {.name = "scope.signals",
      .help = "signals of axes, channels and cycle that can be recorded, with units and limits",
@@ -93,6 +104,24 @@ constexpr auto scope_rows = std::to_array<Method>({
      .result = R"({"id":"integer","state":"string","signals":[{"name":"string","unit":"string",
       "limit":"number?"}],"cycle_us":"integer","first_cycle":"integer","cycles":"integer",
       "trigger":"integer?","from":"integer","count":"integer","values":"string"})"},
+
+    {.name = "history.logs",
+     .help = "the log files of the machine, the newest first",
+     .result = R"({"folder":"string","logs":[{"file":"string","bytes":"integer",
+      "changed_s":"number","is_open":"boolean"}]})"},
+    {.name = "history.verify",
+     .course = Course::reads_program,
+     .parameters = of_log,
+     .help = "repeat a log from its inputs and compare every setpoint: same, part (it is cut, "
+             "damaged or lacks inputs; the same as far as it goes), or differs",
+     .result = R"({"file":"string","verdict":"string","cycles":"integer","setpoints":"integer",
+      "difference":"any","lost_from_cycle":"integer?","remarks":["string"]})"},
+    {.name = "history.path",
+     .course = Course::reads_program,
+     .parameters = of_logged_path,
+     .help = "where a log led the tip of a channel: pages of points with their times",
+     .result = R"({"file":"string","channel":"integer","first_cycle":"integer","time_s":"number",
+      "points":"integer","pages":"integer","geometry":"any"})"},
 });
 
 }  // namespace

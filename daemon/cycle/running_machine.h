@@ -31,6 +31,7 @@ struct RecordingStatus {
   bool lcm_open = false;
   std::int64_t lcm_sent = 0;
   std::int64_t lcm_lost = 0;
+  std::filesystem::path log_directory;
   std::string log_file;  // empty: no log is written
   std::int64_t log_bytes = 0;
   std::int64_t log_events = 0;

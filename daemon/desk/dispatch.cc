@@ -68,6 +68,7 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       desk_(machine, notes_),
       programs_(machine),
       surfaces_(machine),
+      logs_(machine),
       report_(machine, notes_),
       started_(std::chrono::steady_clock::now()) {}
 
@@ -153,6 +154,17 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
        [](Dispatch& d, const json& p) {
          return scope_reading(d.machine_.scope(), d.machine_.file().machine, p);
        }},
+      {"history.logs",
+       [](Dispatch& d, Call call) { d.logs_.list(call.session.id, std::move(call.answer)); }},
+      {"history.verify",
+       [](Dispatch& d, Call call) {
+         d.logs_.verify(call.session.id, call.parameters, std::move(call.answer));
+       }},
+      {"history.path",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.logs_.path(call.session.id, call.parameters, channel, std::move(call.answer));
+       }},
       {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
       {"log.start", [](Dispatch& d, const Call&) { return d.start_log(); }},
       {"log.stop", [](Dispatch& d, const Call&) { return d.stop_log(); }},
@@ -189,6 +201,7 @@ void Dispatch::forget(int session) {
   control_.forget(session);
   programs_.forget(session);
   surfaces_.forget(session);
+  logs_.forget(session);
   note_control();
   tell_control();
 }

@@ -14,6 +14,7 @@
 
 #include "daemon/desk/channel_control.h"
 #include "daemon/desk/command_desk.h"
+#include "daemon/desk/log_desk.h"
 #include "daemon/desk/program_desk.h"
 #include "daemon/desk/status_report.h"
 #include "daemon/desk/subscription.h"
@@ -62,6 +63,7 @@ class Dispatch {
     desk_.tick(now);
     programs_.tick();
     surfaces_.tick();
+    logs_.tick();
   }
   void set_clients(std::size_t clients) { clients_ = clients; }
   // The session has ended.
@@ -122,6 +124,7 @@ class Dispatch {
   CommandDesk desk_;
   ProgramDesk programs_;
   SurfaceDesk surfaces_;
+  LogDesk logs_;
   StatusReport report_;
   std::size_t clients_ = 0;
   SteadyTime started_;

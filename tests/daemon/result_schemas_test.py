@@ -69,6 +69,9 @@ def check(operator):
     ask("override.feed", percent=90)
     ask("log.start")
     ask("log.stop")
+    log = ask("history.logs")["logs"][0]["file"]
+    ask("history.verify", file=log)
+    ask("history.path", file=log)
     ask("machine.on")
     ask("home")
     ask("program.load", program="part.nc", wait="done")

@@ -28,7 +28,8 @@ class AtTheMachine(unittest.TestCase):
         stack = contextlib.ExitStack()
         self.addCleanup(stack.close)
         self.folder = stack.enter_context(tempfile.TemporaryDirectory())
-        self.machine = stack.enter_context(running_daemon(STANOKD, MACHINE, LONG_PROGRAM))
+        logs = ("--log", os.path.join(self.folder, "log"))
+        self.machine = stack.enter_context(running_daemon(STANOKD, MACHINE, LONG_PROGRAM, options=logs))
         self.operator = Operator(self.machine.socket_path)
         stack.callback(self.operator.socket.close)
         stack.callback(self.operator.lines.close)
@@ -139,7 +140,6 @@ class AtTheMachine(unittest.TestCase):
                 self.assertAlmostEqual(math.hypot(x, y), 20.0, delta=1e-4)
         window.close()
 
-    def test_programs_are_edited_by_who_knows_their_version(self):
     def test_a_workpiece_is_seen_while_it_is_cut(self):
         window = self.open_window()
         self.switch_on(window)
@@ -158,6 +158,31 @@ class AtTheMachine(unittest.TestCase):
             self.assertLess(time.monotonic(), end, self.volume_of(bricks))
             self.look_at_surface(window, bricks, known)
         self.assertEqual({tool for corners in bricks.values() for _, tool in corners}, {0, 1})
+        window.close()
+
+    def test_a_log_is_verified_and_its_path_comes_with_times(self):
+        window = self.open_window()
+        self.switch_on(window)
+        window.ask("program.write", program="way.nc", text="G21 G90\nG1 X20 F3000\nG1 Y10\nM30\n")
+        self.insist(window, "program.run", code="E6008", program="way.nc")
+        self.until(lambda status: status["position"]["Y"] == 10 and status["state"] == "Reset", "it was there")
+        log = os.path.basename(window.ask("log.stop")["path"])
+        listed = [one["file"] for one in window.ask("history.logs")["logs"]]
+        self.assertIn(log, listed)
+        verified = window.ask("history.verify", file=log)
+        self.assertEqual((verified["verdict"], verified["difference"]), ("same", None), verified)
+        path = window.ask("history.path", file=log)
+        frame = window.receive_frame()[1] if not window.binary else window.binary.pop()
+        kind, _, _, count = struct.unpack_from("<4I", frame)
+        self.assertEqual((kind, count), (3, path["points"]))
+        points = list(zip(*[iter(struct.unpack_from(f"<{3 * count}f", frame, 16))] * 3))
+        times = struct.unpack_from(f"<{count}I", frame, 16 + 12 * count)
+        self.assertEqual(list(times), sorted(times))
+        for corner in ((20, 0), (20, 10)):
+            self.assertLess(min(math.dist(corner, point[:2]) for point in points), 0.1)
+        # 30 mm at 50 mm/s take 0.6 s and a little more.
+        self.assertGreater(times[-1] - times[0], 600)
+        self.assertEqual({line for _, line in path["geometry"]["lines"]} - {0}, {2, 3})
         window.close()
 
     def look_at_surface(self, window, bricks, known):
@@ -196,6 +221,7 @@ class AtTheMachine(unittest.TestCase):
                            a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
         return volume
 
+    def test_programs_are_edited_by_who_knows_their_version(self):
         window = self.open_window()
         text = window.ask("program.read", program="part.nc")
         self.assertEqual(text["text"], LONG_PROGRAM)
