@@ -184,6 +184,39 @@ describe('states', () => {
     await page.context().close();
   });
 
+  test('a question is put anew when what it asks for has changed', async () => {
+    await stage.client.call('program.load', { program: 'helix.nc' });
+    const page = await stage.openMachine();
+    const region = page.getByRole('region', { name: 'Program', exact: true });
+    await page.getByText('helix.nc').first().waitFor();
+    await region.getByRole('button', { name: 'Run' }).click();
+    await region.getByText(/Run helix.nc/).waitFor();
+    await stage.client.call('program.load', { program: 'square_and_circle.nc' });
+    await region.getByRole('button', { name: 'Yes' }).waitFor({ state: 'detached' });
+    await region.getByRole('button', { name: 'Run' }).click();
+    await region.getByText(/Run square_and_circle.nc/).waitFor();
+    await page.context().close();
+  });
+
+  test('a view that fails leaves hold and stop where they are', async () => {
+    const failing = async (page) => {
+      await page.route('**/HelpView-*.js', (route) =>
+        route.fulfill({
+          contentType: 'text/javascript',
+          body: "export default function Fails() { throw new Error('as it was meant'); }",
+        }),
+      );
+    };
+    const page = await stage.openMachine({ before: failing });
+    await page.evaluate(() => (location.hash = '#/help'));
+    await page.getByText('This view has failed').waitFor();
+    assert.deepEqual(await findings(page), []);
+    await page.locator('button.hold').click();
+    await page.evaluate(() => (location.hash = '#/machine'));
+    await page.locator('[data-state]').first().waitFor();
+    await page.context().close();
+  });
+
   test('empty: no programs, tools, drives, runs', async () => {
     const nothing = {
       'program.list': { programs: [], root: '/programs', complete: true },

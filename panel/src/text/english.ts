@@ -10,12 +10,17 @@ export const english = {
   'view.help': 'Help',
   'view.loading': 'The view is being loaded',
   'view.failed': 'The view could not be loaded',
+  'view.broken': 'This view has failed; the others go on',
   'view.failed_text':
     'The server does not answer, or it is of another version: load the page again.',
   close: 'close',
   remedy: 'What to do',
   licences: 'Licences of the parts of this page',
   hold_all: 'HOLD ALL',
+  resume_all: 'RESUME ALL',
+  'resume_all.question': 'Axes move. Go on with {channels}?',
+  'topic.resume':
+    'Every channel that is held goes on from where it stands, as with its own Resume.',
   stop_all: 'STOP ALL',
   stop_all_note: 'not the E-stop',
   'confirm.yes': 'Yes',

@@ -1,4 +1,4 @@
-import{w as ar}from"./PathView-BTcua6Xq.js";import"./index-Dgruyp_4.js";import"./tables.svelte-P-vlM4zj.js";/**
+import{w as ar}from"./PathView-DczC0TAy.js";import"./index-N56q4Dpi.js";import"./tables.svelte-BIV-wid_.js";/**
  * @license
  * Copyright 2010-2026 Three.js Authors
  * SPDX-License-Identifier: MIT
