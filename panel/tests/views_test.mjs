@@ -352,6 +352,42 @@ describe('programs', () => {
   });
 });
 
+describe('what is not saved', () => {
+  test('stays while other views are shown, and can be taken back', async () => {
+    const name = 'square_and_circle.nc';
+    const page = await stage.openMachine();
+    await show(page, 'programs');
+    await page.getByRole('link', { name: new RegExp(name) }).click();
+    const text = page.getByLabel('Text of the program');
+    await text.click();
+    await page.keyboard.press('Control+Home');
+    await page.keyboard.type('G4 P7 ');
+    await show(page, 'machine');
+    await page.evaluate((of) => (location.hash = `#/programs/${of}`), name);
+    await text.getByText('G4 P7').waitFor();
+    await page.getByRole('heading', { name: /changed/ }).waitFor();
+    await page.getByRole('button', { name: 'Take back' }).click();
+    await page.getByRole('button', { name: 'Yes' }).click();
+    await text.getByText('G4 P7').waitFor({ state: 'detached' });
+    await page.context().close();
+  });
+
+  test('a text of another encoding is shown and not saved', async () => {
+    writeFileSync(
+      join(stage.programs, 'cp1251.nc'),
+      Buffer.from([0x28, 0xcf, 0x29, 0x0a, 0x4d, 0x32]),
+    );
+    const page = await stage.openMachine();
+    await page.evaluate(() => (location.hash = '#/programs/cp1251.nc'));
+    await page.getByText('This text is not in UTF-8').waitFor();
+    await page.getByLabel('Text of the program').click();
+    await page.keyboard.type('G4 ');
+    await page.getByRole('heading', { name: /changed/ }).waitFor();
+    assert.ok(await page.getByRole('button', { name: 'Save' }).isDisabled());
+    await page.context().close();
+  });
+});
+
 describe('tables', () => {
   test('a value is changed, shown with what it was, and taken back', async () => {
     const page = await stage.openMachine();

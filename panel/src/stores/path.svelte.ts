@@ -14,6 +14,10 @@ interface Geometry extends PageWays {
 const tracedAtMost = 200_000;
 const stillness_mm = 0.005;
 const again_ms = 500;
+const after_refusal_ms = 2000;
+
+const pause = (time_ms: number): Promise<void> =>
+  new Promise((resolve) => setTimeout(resolve, time_ms));
 
 export class PathFollower {
   readonly plan = new PagedTrack();
@@ -75,11 +79,13 @@ export class PathFollower {
         } else if (answer.complete) {
           return;
         } else {
-          await new Promise((resolve) => setTimeout(resolve, again_ms));
+          await pause(again_ms);
         }
       }
     } catch {
-      // Lost or refused: the trace is drawn in its place.
+      // Lost or refused: the trace is drawn in its place, and the path is asked for again.
+      await pause(after_refusal_ms);
+      if (wanted === this.#asked) this.#asked = '';
     }
   }
 }

@@ -1,4 +1,4 @@
-import{w as ar}from"./PathView-DczC0TAy.js";import"./index-N56q4Dpi.js";import"./tables.svelte-BIV-wid_.js";/**
+import{w as ar}from"./PathView-Di5rYSXE.js";import"./index-DAMzPO7o.js";import"./tables.svelte-CSKULJpF.js";/**
  * @license
  * Copyright 2010-2026 Three.js Authors
  * SPDX-License-Identifier: MIT
