@@ -1,6 +1,6 @@
 // The path of the chosen channel: planned, by pages, when the daemon has it, and the trace of the live
 // positions. The points stay outside of the framework; what it watches is only how many there are.
-import { readPage } from '../geometry/page_frame';
+import { pathKind, readPage } from '../geometry/page_frame';
 import { reached } from '../geometry/progress';
 import { PagedTrack, Track, type PageWays } from '../geometry/track';
 import { store, type Channel } from './machine.svelte';
@@ -49,7 +49,7 @@ export class PathFollower {
 
   take(frame: ArrayBuffer): void {
     const page = readPage(frame);
-    if (page === null) return;
+    if (page === null || page.kind !== pathKind) return;
     this.plan.take(page.id, page.page, page);
     this.planned = this.plan.track.count;
   }
