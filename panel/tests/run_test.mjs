@@ -143,3 +143,59 @@ test('a log is verified and played, forward and backward', async () => {
   await page.getByRole('button', { name: 'Back to now' }).click();
   await time.waitFor({ state: 'detached' });
 });
+
+test('the scope records every cycle from its start', async () => {
+  await show('scope');
+  await page.getByText('There is no recording').waitFor();
+  assert.deepEqual(await findings(), []);
+  await page.getByLabel('Length').selectOption('0.5 s');
+  await page.getByRole('button', { name: 'Record' }).click();
+  await page.getByText('complete').waitFor();
+  const samples = () => page.locator('canvas').getAttribute('data-samples');
+  await until('500 cycles', async () => (await samples()) === '500');
+});
+
+test('a block is a trigger; what was before it is there, too', async () => {
+  await page.getByLabel('Begins').selectOption('at a block');
+  await page.getByLabel('Line, channel 1').fill('7');
+  await page.getByLabel('Length').selectOption('2 s');
+  await page.getByRole('button', { name: 'Record' }).click();
+  await page.getByText('waits for its trigger').waitFor();
+  await run();
+  await page.getByText('complete').waitFor({ timeout: 60_000 });
+  const reading = await stage.client.call('scope.read', { from: 1_000_000 });
+  assert.equal(reading.cycles, 2000);
+  assert.equal(reading.trigger, 500);
+});
+
+test('cursors tell values and differences; the recording is a table', async () => {
+  await page.getByLabel('Cursor A').fill('500');
+  await page.getByLabel('Cursor B').fill('1500');
+  await page.getByText(/B − A: 1\.0000 s/).waitFor();
+  assert.deepEqual(await findings(), []);
+  await picture('scope');
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'CSV' }).click(),
+  ]);
+  const [head, ...rows] = readFileSync(await download.path(), 'utf8')
+    .trim()
+    .split('\n');
+  assert.equal(head, 'time (s),X.position (mm),X.velocity (mm/s),X.acceleration (mm/s2)');
+  assert.equal(rows.length, 2000);
+  assert.equal(rows[0].split(',')[0], '-0.500000');
+  const row = page.getByRole('row', { name: /X.position/ });
+  const shown = Number((await row.locator('td').first().innerText()).replace('\u2212', '-'));
+  assert.ok(Math.abs(shown - Number(rows[500].split(',')[1])) < 1e-4);
+  const [image] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'PNG' }).click(),
+  ]);
+  assert.equal(
+    readFileSync(await image.path())
+      .subarray(1, 4)
+      .toString(),
+    'PNG',
+  );
+  await until('the program is over', isOver, 90);
+});

@@ -12,7 +12,7 @@ import { after, before, describe, test } from 'node:test';
 import { password, root, setStage, until } from './stage.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const views = ['machine', 'path', 'programs', 'tools', 'drives', 'history', 'help'];
+const views = ['machine', 'path', 'programs', 'tools', 'drives', 'scope', 'history', 'help'];
 const sizes = [
   [360, 640],
   [800, 1280],

@@ -1,5 +1,14 @@
 // Which view is shown: #/machine, #/help/E6070. The part behind the view is the view's own.
-export const views = ['machine', 'path', 'programs', 'tools', 'drives', 'history', 'help'] as const;
+export const views = [
+  'machine',
+  'path',
+  'programs',
+  'tools',
+  'drives',
+  'scope',
+  'history',
+  'help',
+] as const;
 export type View = (typeof views)[number];
 
 // What no address can mean is taken as it stands.
