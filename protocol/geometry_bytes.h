@@ -1,6 +1,6 @@
-// GeometryBytes: the points of a page of geometry as they travel: Float32 x, y, z (mm) of all, then a
-// Uint32 for each (a line, a tool, a time), all little endian, in base64. stanok-web makes binary frames of
-// such pages.
+// GeometryBytes: the points of a page of geometry as they travel: Float32 x, y, z (mm) of all, then
+// a Uint32 for each (a line, a tool, a time), all little endian, in base64. stanok-web makes binary
+// frames of such pages.
 #pragma once
 
 #include <array>

@@ -14,10 +14,11 @@ constexpr Parameter signals =
 constexpr auto triggers =
     std::to_array<std::string_view>({"none", "level", "event", "block", "alarm"});
 
-constexpr Parameter trigger{.name = "trigger",
-                            .type = ParameterType::choice,
-                            .choices = triggers,
-                            .help = "what the recording waits for; default none: it begins at once"};
+constexpr Parameter trigger{
+    .name = "trigger",
+    .type = ParameterType::choice,
+    .choices = triggers,
+    .help = "what the recording waits for; default none: it begins at once"};
 
 constexpr Parameter signal{.name = "signal",
                            .minimum = 1,
@@ -55,12 +56,13 @@ constexpr Parameter before{.name = "before_s",
                            .maximum = longest_s,
                            .help = "time kept from before the trigger; default: a quarter"};
 
-constexpr Parameter length{.name = "length_s",
-                           .type = ParameterType::number,
-                           .unit = "s",
-                           .minimum = 0.001,
-                           .maximum = longest_s,
-                           .help = "time of the whole recording, at most 120,000 cycles; default 2"};
+constexpr Parameter length{
+    .name = "length_s",
+    .type = ParameterType::number,
+    .unit = "s",
+    .minimum = 0.001,
+    .maximum = longest_s,
+    .help = "time of the whole recording, at most 120,000 cycles; default 2"};
 
 constexpr Parameter first{.name = "from",
                           .type = ParameterType::integer,
@@ -68,17 +70,18 @@ constexpr Parameter first{.name = "from",
                           .maximum = 1e9,
                           .help = "cycle of the recording with which the answer begins; default 0"};
 
-constexpr std::array of_scope_start{signals, trigger, signal, level,  edge,
-                              event,   line,    channel, before, length};
+constexpr std::array of_scope_start{signals, trigger, signal,  level,  edge,
+                                    event,   line,    channel, before, length};
 constexpr std::array of_scope_read{first};
 
 constexpr Parameter log_name = required_text("file", "name of a log, as history.logs tells it");
 
-constexpr Parameter page_of_log{.name = "page",
-                                .type = ParameterType::integer,
-                         .minimum = 0,
-                         .maximum = 1e6,
-                         .help = "page of the path, from 0; default 0, which reads the log anew"};
+constexpr Parameter page_of_log{
+    .name = "page",
+    .type = ParameterType::integer,
+    .minimum = 0,
+    .maximum = 1e6,
+    .help = "page of the path, from 0; default 0, which reads the log anew"};
 
 constexpr std::array of_log{log_name};
 constexpr std::array of_logged_path{log_name, channel, page_of_log};

@@ -73,8 +73,7 @@ void CutMarks::note(int axis, std::size_t ray, double from, double to) {
   PerAxis<int> at{};
   for (at[2] = low[2]; at[2] <= high[2]; at[2] = step(at[2])) {
     for (at[1] = low[1]; at[1] <= high[1]; at[1] = step(at[1])) {
-      for (at[0] = low[0]; at[0] <= high[0]; at[0] = step(at[0]))
-        changed_[brick_at(at)] = version_;
+      for (at[0] = low[0]; at[0] <= high[0]; at[0] = step(at[0])) changed_[brick_at(at)] = version_;
     }
   }
   for (const double end : {from, to}) {

@@ -162,12 +162,11 @@ Expected<LoggedPath, Failure> logged_path(const fs::path& log, int channel,
   path.channel = channel;
   PathThinner thinner(places_of_xyz(machine, channel), machine.cycle_us * 1e-3, path);
   try {
-    const auto error = recording::for_each_setpoint(log, *contents, channel,
-                                                    [&](const setpoint_t& setpoint) {
-                                                      if (stop.stop_requested())
-                                                        throw NoLongerWanted{};
-                                                      thinner.add(setpoint);
-                                                    });
+    const auto error =
+        recording::for_each_setpoint(log, *contents, channel, [&](const setpoint_t& setpoint) {
+          if (stop.stop_requested()) throw NoLongerWanted{};
+          thinner.add(setpoint);
+        });
     if (error) return unreadable_log(error->text);
   } catch (const NoLongerWanted&) {
     return unreadable_log("the request was cancelled");
@@ -226,8 +225,9 @@ void LogDesk::path(int session, const json& parameters, int channel, Answer answ
   const auto log = log_named(machine_.recording_status(), parameters["file"].get<std::string>());
   if (!log) return answer(Unexpected<Failure>(log.error()));
   const auto page = parameters.value("page", std::size_t{0});
-  const auto work = [newest = newest_, log = *log, channel, page, machine = machine_.file().machine](
-                        const std::stop_token& stop) -> CommandResult {
+  const auto work = [newest = newest_, log = *log, channel, page,
+                     machine =
+                         machine_.file().machine](const std::stop_token& stop) -> CommandResult {
     if (page == 0 || newest->path.file != log || newest->path.channel != channel) {
       auto path = logged_path(log, channel, machine, stop);
       if (!path) return Unexpected<Failure>(path.error());

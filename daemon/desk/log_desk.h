@@ -1,5 +1,5 @@
-// LogDesk: the log files of the machine as clients see them: which there are, whether one repeats to
-// the bit, and where it led the tip.
+// LogDesk: the log files of the machine as clients see them: which there are, whether one repeats
+// to the bit, and where it led the tip.
 //
 // Logs are large: all is done in a thread of its own, behind everything else of the computer.
 // Nothing here waits. Belongs to the operator server's thread; `tick` wants to be called often.

@@ -41,7 +41,7 @@ json numbers(const simulation::Vector& vector) {
 json surface_answer(int channel, const SurfaceRequest& request,
                     const std::optional<SurfacePage>& page) {
   if (!page) {
-    return {{"channel", channel}, {"workpiece", nullptr}, {"version", 0}, {"next", nullptr},
+    return {{"channel", channel}, {"workpiece", nullptr}, {"version", 0},       {"next", nullptr},
             {"blank", nullptr},   {"cycles_left_out", 0}, {"geometry", nullptr}};
   }
   const simulation::Blank& blank = page->blank;

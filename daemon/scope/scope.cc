@@ -34,7 +34,8 @@ std::uint32_t Scope::start(ScopeOrder order) {
 
 void Scope::stop() {
   const std::lock_guard lock(mutex_);
-  if (state_ == ScopeState::waiting || state_ == ScopeState::recording) state_ = ScopeState::complete;
+  if (state_ == ScopeState::waiting || state_ == ScopeState::recording)
+    state_ = ScopeState::complete;
 }
 
 std::size_t Scope::row_of(std::size_t cycle) const {
@@ -93,7 +94,8 @@ void Scope::fill_gap(std::int64_t cycle) {
   const std::vector<float> nothing(order_.signals.size(), lost);
   const auto longest = static_cast<std::int64_t>(order_.cycles);
   const std::int64_t missing = std::min(cycle - last_cycle_ - 1, longest);
-  for (std::int64_t k = 0; k < missing && (!trigger_ || count_ < order_.cycles - 1); ++k) put(nothing);
+  for (std::int64_t k = 0; k < missing && (!trigger_ || count_ < order_.cycles - 1); ++k)
+    put(nothing);
 }
 
 // Before the trigger the oldest row goes when there are as many as are wanted of that time.

@@ -1,4 +1,5 @@
-// Scope: signals of the machine at the full cycle rate, from before an event to some time behind it.
+// Scope: signals of the machine at the full cycle rate, from before an event to some time behind
+// it.
 //
 // It listens where the records are made (daemon/publish/publisher_thread.h): the cycle does nothing
 // for it but what it does anyway, to put its output and times into rings that never wait. One

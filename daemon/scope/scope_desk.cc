@@ -123,9 +123,9 @@ Expected<json, Failure> start_scope(Scope& scope, const channels::MachineConfig&
   const double length_s = parameters.value("length_s", length_usual_s);
   order.cycles = std::max<std::size_t>(1, cycles_in(length_s, machine));
   if (order.cycles > Scope::cycles_max)
-    return wrong_order("at this cycle time at most " +
-                       std::to_string(Scope::cycles_max * checked_size(machine.cycle_us) / 1'000'000) +
-                       " s fit");
+    return wrong_order(
+        "at this cycle time at most " +
+        std::to_string(Scope::cycles_max * checked_size(machine.cycle_us) / 1'000'000) + " s fit");
   if (order.trigger.kind != Kind::none)
     order.before = cycles_in(parameters.value("before_s", length_s / 4), machine);
   if (order.before >= order.cycles) return wrong_order("before_s must be shorter than length_s");

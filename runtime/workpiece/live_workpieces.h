@@ -1,5 +1,5 @@
-// LiveWorkpieces: the virtual workpieces of a machine that runs, cut while it goes on, for those who
-// look at them.
+// LiveWorkpieces: the virtual workpieces of a machine that runs, cut while it goes on, for those
+// who look at them.
 //
 // `observe` takes the outputs of all cycles and never waits: what the tools do goes through a ring
 // of fixed size to a thread of the idle scheduling class, which cuts. Where that falls behind,
@@ -36,7 +36,7 @@ struct SurfacePage {
     std::size_t first = 0;   // of its corners
     std::size_t behind = 0;  // the last one; the same: there is no surface in it any more
   };
-  struct Corner {  // of a triangle; three each, counter-clockwise from outside
+  struct Corner {                     // of a triangle; three each, counter-clockwise from outside
     std::array<float, 3> place_mm{};  // in the workpiece system of the announcement
     int tool = 0;                     // that made the surface there; 0: none did
   };
@@ -66,8 +66,8 @@ class LiveWorkpieces {
   // From one thread.
   void observe(const channels::CycleOutput& output);
 
-  // Nothing: no workpiece is announced there. Waits for the thread that cuts: not for those who must
-  // not wait. `request` that begins a series closes a version; its pages share it.
+  // Nothing: no workpiece is announced there. Waits for the thread that cuts: not for those who
+  // must not wait. `request` that begins a series closes a version; its pages share it.
   [[nodiscard]] std::optional<SurfacePage> page(int channel, const SurfaceRequest& request);
 
  private:

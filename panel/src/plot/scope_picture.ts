@@ -193,7 +193,8 @@ export class ScopePicture {
     context.stroke();
     context.textAlign = 'left';
     context.textBaseline = 'top';
-    context.fillText(name, x + 3, 2);
+    // The trigger below, the cursors above: they may stand at the same place.
+    context.fillText(name, x + 3, name === 'T' ? this.#height - foot_px - 18 : 2);
   }
 }
 

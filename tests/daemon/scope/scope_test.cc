@@ -172,8 +172,8 @@ TEST_F(ScopeTest, OrdersThatMakeNoSenseAreRefused) {
   EXPECT_NE(refusal({{"signals", "Q.position"}}).find("there is no signal Q.position"),
             std::string::npos);
   EXPECT_NE(refusal({{"signals", " , "}}), "");
-  EXPECT_NE(refusal({{"signals", "B.jerk B.jerk B.jerk B.jerk B.jerk B.jerk B.jerk B.jerk B.jerk"}}),
-            "");
+  EXPECT_NE(
+      refusal({{"signals", "B.jerk B.jerk B.jerk B.jerk B.jerk B.jerk B.jerk B.jerk B.jerk"}}), "");
   EXPECT_NE(refusal({{"signals", "B.jerk"}, {"trigger", "block"}}), "");
   EXPECT_NE(refusal({{"signals", "B.jerk"}, {"trigger", "level"}, {"signal", "X2.jerk"}}), "");
   EXPECT_NE(refusal({{"signals", "B.jerk"}, {"trigger", "alarm"}, {"before_s", 3}}), "");
@@ -185,7 +185,8 @@ TEST_F(ScopeTest, OrdersThatMakeNoSenseAreRefused) {
 TEST_F(ScopeTest, SignalsHaveTheLimitsOfTheMachineFile) {
   const json list = scope_signal_list(file.machine)["signals"];
   const auto of = [&](const char* name) {
-    return *std::find_if(list.begin(), list.end(), [&](const json& s) { return s["name"] == name; });
+    return *std::find_if(list.begin(), list.end(),
+                         [&](const json& s) { return s["name"] == name; });
   };
   EXPECT_EQ(of("X2.velocity")["limit"], 250.0);
   EXPECT_EQ(of("X2.velocity")["unit"], "mm/s");

@@ -127,7 +127,8 @@ class LiveWorkpiecesTest : public ::testing::Test {
 
   channels::CycleOutput output;
   std::vector<std::string> complaints;
-  LiveWorkpieces live{three_axes(), [this](const std::string& line) { complaints.push_back(line); }};
+  LiveWorkpieces live{three_axes(),
+                      [this](const std::string& line) { complaints.push_back(line); }};
 };
 
 constexpr double block_mm3 = 60.0 * 40.0 * 20.0;
