@@ -318,6 +318,9 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E9020", "a program cannot be written", Reaction::warning,
      "check name, folder, rights and space; the text says which of them it is",
      "give the command again"},
+    {"E9021", "a log cannot be read beside the machine", Reaction::warning,
+     "the text says why; stanok log info and stanok log verify read logs of every size and place",
+     "give the command again"},
     {"E9101", "the control file of a grinding cycle cannot be read", Reaction::warning,
      "the text names the line and what is expected there; docs/programmer/grinding.md describes "
      "the format",

@@ -20,6 +20,7 @@ namespace stanok::protocol::rows {
 [[nodiscard]] std::span<const Method> tables_methods();
 [[nodiscard]] std::span<const Method> hand_methods();
 [[nodiscard]] std::span<const Method> process_methods();
+[[nodiscard]] std::span<const Method> scope_methods();
 [[nodiscard]] std::span<const Method> daemon_methods();
 
 inline constexpr auto machine_operator = Role::machine_operator;

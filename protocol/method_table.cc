@@ -13,9 +13,10 @@ namespace {
 
 std::vector<Method> all_rows() {
   std::vector<Method> all;
-  for (const auto& part : {rows::machine_methods(), rows::program_text_methods(),
-                           rows::program_methods(), rows::axes_methods(), rows::tables_methods(),
-                           rows::hand_methods(), rows::process_methods(), rows::daemon_methods()})
+  for (const auto& part :
+       {rows::machine_methods(), rows::program_text_methods(), rows::program_methods(),
+        rows::axes_methods(), rows::tables_methods(), rows::hand_methods(), rows::process_methods(),
+        rows::scope_methods(), rows::daemon_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -32,6 +33,8 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
     {"offset", "work offsets"},
     {"process", "cutting process and adaptive control"},
     {"workpiece", "virtual workpiece"},
+    {"scope", "signals at the full cycle rate"},
+    {"history", "logs of earlier runs"},
     {"log", "log files and recorder"},
     {"session", "this connection"},
     {"system", "the daemon itself"},

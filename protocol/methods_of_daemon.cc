@@ -32,7 +32,9 @@ constexpr Parameter person{
     .name = "name",
     .minimum = 1,
     .maximum = 64,
-    .help = "who works here, for the log and for others who see who controls a channel"};
+    .help =
+        "who works here, for the log and for others who see who controls a channel; the first "
+        "name stays"};
 
 constexpr std::array of_subscription{topics, rate};
 constexpr std::array of_role{lower_role, person};

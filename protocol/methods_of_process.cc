@@ -82,10 +82,35 @@ constexpr Parameter allowance{.name = "on",
                               .maximum = 1,
                               .help = "1 (default): allow them; 0: no longer"};
 
+constexpr Parameter workpiece{.name = "workpiece",
+                              .type = ParameterType::integer,
+                              .minimum = 0,
+                              .maximum = 4e9,
+                              .help =
+                                  "the one that `since` and `from` are of; of another one all is "
+                                  "told, from its beginning"};
+
+constexpr Parameter since{.name = "since",
+                          .type = ParameterType::integer,
+                          .minimum = 0,
+                          .maximum = 4e9,
+                          .help =
+                              "version that is known already: only what has changed later is told; "
+                              "default 0: all"};
+
+constexpr Parameter from{.name = "from",
+                         .type = ParameterType::integer,
+                         .minimum = 0,
+                         .maximum = 1e9,
+                         .help =
+                             "brick with which the page begins, as `next` of the one before "
+                             "told; default 0"};
+
 constexpr std::array of_interruption{dwell_path, real_path, channel};
 constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
 constexpr std::array of_force_control{force_action, force_quantity, force_value, channel};
 constexpr std::array of_allowance{allowance};
+constexpr std::array of_surface{channel, workpiece, since, from};
 
 constexpr auto process_rows = std::to_array<Method>({
     {.name = "process.status",
@@ -119,6 +144,11 @@ constexpr auto process_rows = std::to_array<Method>({
      .help = "whether announcements of workpieces are published, and the latest of every channel",
      .result = R"({"allowed":"boolean","workpieces":[{"channel":"integer",
       "tool":"integer"}]})"},
+    {.name = "workpiece.surface",
+     .parameters = of_surface,
+     .help = "surface of the workpiece that is being cut, by pages; or what has changed of it",
+     .result = R"({"channel":"integer","workpiece":"integer?","version":"integer",
+      "next":"integer?","blank":"any","cycles_left_out":"integer","geometry":"any"})"},
     {.name = "workpiece.allow",
      .role = machine_operator,
      .effect = Effect::changes,

@@ -54,6 +54,12 @@ Material::Material(const Blank& blank, const Grid& grid)
   }
 }
 
+double Material::subtract(int axis, std::size_t ray, double from, double to) {
+  const double taken = families_[axis].subtract(ray, from, to);
+  if (taken > 0.0 && marks_) marks_->note(axis, ray, from, to);
+  return taken;
+}
+
 RayWindow Material::window(int axis, const Bounds& bounds) const {
   const auto range = [&](int k, int& from, int& to) {
     const int count = grid_.count[k];

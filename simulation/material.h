@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "simulation/blank.h"
+#include "simulation/cut_marks.h"
 #include "simulation/ray_family.h"
 
 namespace stanok::simulation {
@@ -35,6 +36,13 @@ class Material {
 
   [[nodiscard]] const Grid& grid() const { return grid_; }
   [[nodiscard]] RayFamily& family(int axis) { return families_[axis]; }
+  // Takes away what lies between two places of a ray; returns its length.
+  double subtract(int axis, std::size_t ray, double from, double to);
+  // From now on it is noted where which tool cuts.
+  void mark_cuts() { marks_.emplace(grid_); }
+  // nullptr: it is not noted.
+  [[nodiscard]] CutMarks* marks() { return marks_ ? &*marks_ : nullptr; }
+  [[nodiscard]] const CutMarks* marks() const { return marks_ ? &*marks_ : nullptr; }
   [[nodiscard]] const RayFamily& family(int axis) const { return families_[axis]; }
   // The number of a ray along `axis` with these indices along the axes behind it, in cyclic order.
   [[nodiscard]] std::size_t ray(int axis, int first, int second) const {
@@ -53,6 +61,7 @@ class Material {
  private:
   Grid grid_;
   PerAxis<RayFamily> families_;
+  std::optional<CutMarks> marks_;
 };
 
 }  // namespace stanok::simulation

@@ -67,10 +67,10 @@ double remove(Material& material, const Body& body, const ToolPlace& place) {
   double volume = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     double length = 0.0;
-    RayFamily& family = material.family(axis);
-    visit_covered(
-        material, body, place, axis, bounds,
-        [&](std::size_t ray, double from, double to) { length += family.subtract(ray, from, to); });
+    visit_covered(material, body, place, axis, bounds,
+                  [&](std::size_t ray, double from, double to) {
+                    length += material.subtract(axis, ray, from, to);
+                  });
     volume += length * material.section(axis);
   }
   return volume / 3.0;

@@ -24,24 +24,27 @@ struct Layer {
 
 class Builder {
  public:
-  explicit Builder(const Material& material)
+  Builder(const Material& material, const CubeWindow& cubes)
       : material_(material),
         grid_(material.grid()),
-        points_{grid_.count[0] + 2, grid_.count[1] + 2} {}
+        cubes_(cubes),
+        points_{cubes.to[0] - cubes.from[0] + 1, cubes.to[1] - cubes.from[1] + 1} {}
 
-  Mesh build() {
-    Layer below = layer(-1);
-    for (int k = -1; k < grid_.count[2]; ++k) {
+  Patch build() {
+    Layer below = layer(cubes_.from[2]);
+    for (int k = cubes_.from[2]; k < cubes_.to[2]; ++k) {
       Layer above = layer(k + 1);
       connect(k, below, above);
       polygonise(below, above);
       below = std::move(above);
     }
-    return std::move(mesh_);
+    return std::move(patch_);
   }
 
  private:
-  [[nodiscard]] std::size_t at(int i, int j) const { return points_.place(i + 1, j + 1); }
+  [[nodiscard]] std::size_t at(int i, int j) const {
+    return points_.place(i - cubes_.from[0], j - cubes_.from[1]);
+  }
 
   [[nodiscard]] bool is_inside(int i, int j, int k) const {
     if (i < 0 || j < 0 || k < 0 || i >= grid_.count[0] || j >= grid_.count[1] ||
@@ -50,33 +53,35 @@ class Builder {
     return material_.family(2).contains(material_.ray(2, i, j), grid_.middle(2, k));
   }
 
+  // Calls visit(i, j) for every point of a layer.
+  template <class Visitor>
+  void visit_points(Visitor&& visit) const {
+    for (int j = cubes_.from[1]; j <= cubes_.to[1]; ++j) {
+      for (int i = cubes_.from[0]; i <= cubes_.to[0]; ++i) visit(i, j);
+    }
+  }
+
   Layer layer(int k) {
     Layer layer;
     const std::size_t size = points_.cells();
     layer.inside.assign(size, 0);
     for (auto& points : layer.points) points.assign(size, no_point);
-    for (int j = 0; j < grid_.count[1]; ++j) {
-      for (int i = 0; i < grid_.count[0]; ++i) layer.inside[at(i, j)] = is_inside(i, j, k) ? 1 : 0;
-    }
-    for (int j = -1; j <= grid_.count[1]; ++j) {
-      for (int i = -1; i <= grid_.count[0]; ++i) {
-        if (i < grid_.count[0] && layer.inside[at(i, j)] != layer.inside[at(i + 1, j)])
-          layer.points[0][at(i, j)] = crossing(0, {i, j, k}, layer);
-        if (j < grid_.count[1] && layer.inside[at(i, j)] != layer.inside[at(i, j + 1)])
-          layer.points[1][at(i, j)] = crossing(1, {i, j, k}, layer);
-      }
-    }
+    visit_points([&](int i, int j) { layer.inside[at(i, j)] = is_inside(i, j, k) ? 1 : 0; });
+    visit_points([&](int i, int j) {
+      if (i < cubes_.to[0] && layer.inside[at(i, j)] != layer.inside[at(i + 1, j)])
+        layer.points[0][at(i, j)] = crossing(0, {{i, j, k}}, layer);
+      if (j < cubes_.to[1] && layer.inside[at(i, j)] != layer.inside[at(i, j + 1)])
+        layer.points[1][at(i, j)] = crossing(1, {{i, j, k}}, layer);
+    });
     return layer;
   }
 
   // Points on the edges along Z between both layers; they belong to the lower one.
   void connect(int k, Layer& below, const Layer& above) {
-    for (int j = 0; j < grid_.count[1]; ++j) {
-      for (int i = 0; i < grid_.count[0]; ++i) {
-        if (below.inside[at(i, j)] != above.inside[at(i, j)])
-          below.points[2][at(i, j)] = crossing(2, {i, j, k}, below);
-      }
-    }
+    visit_points([&](int i, int j) {
+      if (below.inside[at(i, j)] != above.inside[at(i, j)])
+        below.points[2][at(i, j)] = crossing(2, {{i, j, k}}, below);
+    });
   }
 
   // Between the grid point `node` of the layer and the next one along `axis`; the path leaves the
@@ -85,6 +90,7 @@ class Builder {
     const bool leaves = layer.inside[at(node[0], node[1])] != 0;
     const double low = grid_.middle(axis, node[axis]);
     double part = 0.5;
+    double end_found = low;
     double beside_min = beside_max;
     const std::size_t ray = material_.ray(axis, node[axis + 1], node[axis + 2]);
     material_.family(axis).visit(ray, [&](const Interval& piece) {
@@ -93,18 +99,34 @@ class Builder {
       const double beside = std::max(-along, along - 1.0);
       if (beside > beside_min) return;
       beside_min = beside;
+      end_found = end;
       part = std::clamp(along, part_min, 1.0 - part_min);
     });
     Vector point;
     for (int k = 0; k < 3; ++k) point[k] = grid_.middle(k, node[k]);
     point[axis] += part * grid_.cell[axis];
-    mesh_.points.push_back(point.cast<float>());
-    return static_cast<std::uint32_t>(mesh_.points.size() - 1);
+    patch_.mesh.points.push_back(point.cast<float>());
+    if (const CutMarks* marks = material_.marks())
+      patch_.tools.push_back(tool_of(*marks, axis, node, end_found));
+    return static_cast<std::uint32_t>(patch_.mesh.points.size() - 1);
+  }
+
+  // Of the two cells that the edge runs through, the one in which the material ends; a cut that
+  // ends on the border between them may stand in the other one.
+  [[nodiscard]] int tool_of(const CutMarks& marks, int axis, const PerAxis<int>& node,
+                            double end) const {
+    PerAxis<int> cell = node;
+    const bool is_second = end >= grid_.middle(axis, node[axis]) + grid_.cell[axis] / 2.0;
+    for (const int step : {is_second ? 1 : 0, is_second ? 0 : 1}) {
+      cell[axis] = std::clamp(node[axis] + step, 0, grid_.count[axis] - 1);
+      if (const int tool = marks.tool_at(cell); tool != 0) return tool;
+    }
+    return 0;
   }
 
   void polygonise(const Layer& below, const Layer& above) {
-    for (int j = -1; j < grid_.count[1]; ++j) {
-      for (int i = -1; i < grid_.count[0]; ++i) {
+    for (int j = cubes_.from[1]; j < cubes_.to[1]; ++j) {
+      for (int i = cubes_.from[0]; i < cubes_.to[0]; ++i) {
         unsigned inside = 0;
         for (unsigned corner = 0; corner < 8; ++corner) {
           const Layer& layer = (corner & 4U) != 0 ? above : below;
@@ -114,9 +136,9 @@ class Builder {
         }
         if (inside == 0 || inside == 255) continue;
         for (const EdgeTriangle& triangle : cube_triangles(inside)) {
-          mesh_.triangles.push_back({point_on(triangle[0], i, j, below, above),
-                                     point_on(triangle[1], i, j, below, above),
-                                     point_on(triangle[2], i, j, below, above)});
+          patch_.mesh.triangles.push_back({point_on(triangle[0], i, j, below, above),
+                                           point_on(triangle[1], i, j, below, above),
+                                           point_on(triangle[2], i, j, below, above)});
         }
       }
     }
@@ -139,9 +161,14 @@ class Builder {
 
   const Material& material_;
   const Grid& grid_;
+  CubeWindow cubes_;
   Raster points_;  // of a layer
-  Mesh mesh_;
+  Patch patch_;
 };
+
+CubeWindow all_cubes_of(const Grid& grid) {
+  return {.from = {{-1, -1, -1}}, .to = grid.count};
+}
 
 }  // namespace
 
@@ -158,7 +185,11 @@ double Mesh::volume_under(const Triangle& triangle) const {
 }
 
 Mesh surface_of(const Material& material) {
-  return Builder(material).build();
+  return Builder(material, all_cubes_of(material.grid())).build().mesh;
+}
+
+Patch patch_of(const Material& material, const CubeWindow& cubes) {
+  return Builder(material, cubes).build();
 }
 
 }  // namespace stanok::simulation

@@ -29,4 +29,12 @@ struct Mesh {
 
 [[nodiscard]] Mesh surface_of(const Material& material);
 
+// A part of the surface, with the tool that made each of its points; 0: none did. Parts beside each
+// other share the points on their edge.
+struct Patch {
+  Mesh mesh;
+  std::vector<int> tools;
+};
+[[nodiscard]] Patch patch_of(const Material& material, const CubeWindow& cubes);
+
 }  // namespace stanok::simulation

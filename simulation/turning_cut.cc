@@ -252,7 +252,7 @@ Polygon swept(const Polygon& insert, PlanePoint from, PlanePoint to) {
 double remove_ring(Material& material, const Polygon& polygon, const SpindleAxis& axis) {
   return sum_over_ring(material, polygon, axis,
                        [&](int family, std::size_t ray, double from, double to) {
-                         return material.family(family).subtract(ray, from, to);
+                         return material.subtract(family, ray, from, to);
                        });
 }
 

@@ -44,6 +44,7 @@ void Workpiece::mill(const MillingTool& tool, const ToolPlace& from, const ToolP
   const bool touches = std::ranges::any_of(
       tool.solid.bodies, [&](const Body& body) { return may_touch(material_, body, from, to); });
   if (!touches) return;
+  if (CutMarks* marks = material_.marks()) marks->set_tool(circumstances.tool);
   const int steps = steps_between(tool.solid, from, to, deviation());
   for (int i = 1; i <= steps; ++i) {
     mill_at(tool, place_between(from, to, static_cast<double>(i) / steps), circumstances);
@@ -76,6 +77,7 @@ void Workpiece::turn(const TurningTool& tool, const SpindleAxis& axis, PlanePoin
     if (volume <= 0.0) return;
     find(FindingKind::rapid, volume, place_K, circumstances);
   }
+  if (CutMarks* marks = material_.marks()) marks->set_tool(circumstances.tool);
   const double removed = remove_ring(material_, swept(tool.insert, from, to), axis);
   if (removed <= 0.0) return;
   count(removed, circumstances);

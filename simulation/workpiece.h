@@ -62,6 +62,10 @@ class Workpiece {
 
   [[nodiscard]] const Blank& blank() const { return blank_; }
   [[nodiscard]] const Material& material() const { return material_; }
+  // From now on it is noted where which tool cuts (cut_marks.h).
+  void mark_cuts() { material_.mark_cuts(); }
+  // nullptr: it is not noted.
+  [[nodiscard]] CutMarks* marks() { return material_.marks(); }
   [[nodiscard]] const CuttingReport& report() const { return report_; }
   // How far what is swept may be from what the tool swept, mm.
   [[nodiscard]] double deviation() const { return sweep_deviation * blank_.resolution; }

@@ -200,6 +200,10 @@ bool WorkpieceFollower::lies_on_the_way(const ToolPlace& end) const {
   return true;
 }
 
+void WorkpieceFollower::forget_former() {
+  if (workpieces_.size() > 1) workpieces_.erase(workpieces_.begin(), workpieces_.end() - 1);
+}
+
 void WorkpieceFollower::flush() {
   if (stations_.empty()) return;
   cut(stations_.back());

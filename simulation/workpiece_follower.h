@@ -67,6 +67,10 @@ class WorkpieceFollower {
   void follow(const Sample& sample);
   // What was followed so far is cut.
   void flush();
+  // Only the workpiece that is being cut stays.
+  void forget_former();
+  // The one that is being cut; nullptr: none was announced, or the last blank was refused.
+  [[nodiscard]] Workpiece* at_work() { return workpiece_; }
 
   // The workpieces of all announcements, in their order; the last one is being cut.
   [[nodiscard]] const std::vector<std::unique_ptr<Workpiece>>& workpieces() const {

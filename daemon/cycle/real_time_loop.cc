@@ -26,8 +26,10 @@ void RealTimeLoop::run_once() {
   const std::int64_t woken_ns = clock_.now_ns();
   work_.cycle();
   const std::int64_t done_ns = clock_.now_ns();
-  statistics_.latency.add(woken_ns - due_ns_);
-  statistics_.cycle_time.add(done_ns - woken_ns);
+  const CycleTimes times{.latency_ns = woken_ns - due_ns_, .duration_ns = done_ns - woken_ns};
+  statistics_.latency.add(times.latency_ns);
+  statistics_.cycle_time.add(times.duration_ns);
+  static_cast<void>(times_.push(times));
   ++statistics_.cycles;
   due_ns_ += period_ns_;
   skip_passed_wake_ups(done_ns);

@@ -11,6 +11,7 @@
 
 #include "base/histogram.h"
 #include "base/latest.h"
+#include "base/ring.h"
 #include "base/rt_safe.h"
 #include "daemon/cycle/cycle_clock.h"
 
@@ -37,6 +38,12 @@ struct LoopStatistics {
   Histogram cycle_time;  // from the wake-up to the end of the cycle, ns
 };
 
+// Of one cycle.
+struct CycleTimes {
+  std::int64_t latency_ns = 0;   // from the time due to the wake-up
+  std::int64_t duration_ns = 0;  // from the wake-up to the end of the cycle
+};
+
 class RealTimeLoop {
  public:
   // `work` and `clock` outlive the loop.
@@ -49,6 +56,8 @@ class RealTimeLoop {
 
   // Statistics of at most 100 ms ago. One reader thread.
   [[nodiscard]] const LoopStatistics& statistics() { return published_.read(); }
+  // The times of every cycle, for one reader thread; those that find no room are lost.
+  [[nodiscard]] Ring<CycleTimes>& times() { return times_; }
 
  private:
   void run_once();
@@ -61,6 +70,7 @@ class RealTimeLoop {
   std::int64_t due_ns_ = 0;
   LoopStatistics statistics_;
   Latest<LoopStatistics> published_;
+  Ring<CycleTimes> times_{1024};
   std::atomic<bool> stopping_{false};
 };
 

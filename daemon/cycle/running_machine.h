@@ -19,8 +19,11 @@
 #include "plant/drive/fault.h"
 #include "recording/log/log_writer.h"
 #include "runtime/foresight/foresight.h"
+#include "runtime/workpiece/live_workpieces.h"
 
 namespace stanok::daemon {
+
+class Scope;
 
 // Where the records of the machine go.
 struct RecordingStatus {
@@ -28,6 +31,7 @@ struct RecordingStatus {
   bool lcm_open = false;
   std::int64_t lcm_sent = 0;
   std::int64_t lcm_lost = 0;
+  std::filesystem::path log_directory;
   std::string log_file;  // empty: no log is written
   std::int64_t log_bytes = 0;
   std::int64_t log_events = 0;
@@ -78,7 +82,10 @@ class RunningMachine {
   [[nodiscard]] virtual runtime::Outlook outlook(int channel) = 0;
   // nullptr: nothing is known of it.
   [[nodiscard]] virtual std::shared_ptr<const runtime::PlannedPath> planned_path(int channel) = 0;
+  // What is cut while the machine runs; nullptr: nobody follows it. Lives as long as the machine.
+  [[nodiscard]] virtual runtime::LiveWorkpieces* live_workpieces() = 0;
 
+  [[nodiscard]] virtual Scope& scope() = 0;
   [[nodiscard]] virtual LoopStatistics loop_statistics() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
   // Outputs and inputs of cycles that the recorder was too late for.

@@ -1,9 +1,8 @@
 #include "daemon/desk/background_work.h"
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <algorithm>
+
+#include "base/idle_thread.h"
 
 namespace stanok::daemon {
 namespace {
@@ -14,12 +13,6 @@ using protocol::FailureKind;
 CommandResult cancelled() {
   return Unexpected<Failure>(
       Failure{FailureKind::refused, "E9017", "the request was cancelled", 0, {}});
-}
-
-// Never in the way of anything else.
-void become_idle() {
-  const sched_param none{};
-  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none));
 }
 
 }  // namespace
@@ -81,7 +74,7 @@ CommandResult BackgroundWork::outcome_of(const Task& task) {
 }
 
 void BackgroundWork::serve(const std::stop_token& stop) {
-  if (urgency_ == Urgency::idle) become_idle();
+  if (urgency_ == Urgency::idle) run_when_idle();
   while (true) {
     Task task;
     {

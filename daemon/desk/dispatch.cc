@@ -9,6 +9,7 @@
 #include "daemon/desk/inventory.h"
 #include "daemon/desk/operator_command.h"
 #include "daemon/desk/table_loading.h"
+#include "daemon/scope/scope_desk.h"
 #include "protocol/discovery.h"
 #include "protocol/json_text.h"
 #include "protocol/version.h"
@@ -66,6 +67,8 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       on_shutdown_(std::move(on_shutdown)),
       desk_(machine, notes_),
       programs_(machine),
+      surfaces_(machine),
+      logs_(machine),
       report_(machine, notes_),
       started_(std::chrono::steady_clock::now()) {}
 
@@ -129,8 +132,39 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
       {"process.status",
        [](Dispatch& d, const json& p) { return d.report_.process(d.channel_or_first(p)); }},
       {"workpiece.status", [](Dispatch& d, const json&) { return workpiece_status(d.machine_); }},
+      {"workpiece.surface",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.surfaces_.surface(call.session.id, call.parameters, channel, std::move(call.answer));
+       }},
       {"workpiece.allow",
        [](Dispatch& d, const Call& call) { return d.allow_workpieces(call.parameters); }},
+      {"scope.signals",
+       [](Dispatch& d, const json&) { return scope_signal_list(d.machine_.file().machine); }},
+      {"scope.start",
+       [](Dispatch& d, const Call& call) {
+         return start_scope(d.machine_.scope(), d.machine_.file().machine, call.parameters);
+       }},
+      {"scope.stop",
+       [](Dispatch& d, const Call&) -> CommandResult {
+         d.machine_.scope().stop();
+         return json{{"accepted", true}};
+       }},
+      {"scope.read",
+       [](Dispatch& d, const json& p) {
+         return scope_reading(d.machine_.scope(), d.machine_.file().machine, p);
+       }},
+      {"history.logs",
+       [](Dispatch& d, Call call) { d.logs_.list(call.session.id, std::move(call.answer)); }},
+      {"history.verify",
+       [](Dispatch& d, Call call) {
+         d.logs_.verify(call.session.id, call.parameters, std::move(call.answer));
+       }},
+      {"history.path",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.logs_.path(call.session.id, call.parameters, channel, std::move(call.answer));
+       }},
       {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
       {"log.start", [](Dispatch& d, const Call&) { return d.start_log(); }},
       {"log.stop", [](Dispatch& d, const Call&) { return d.stop_log(); }},
@@ -166,6 +200,8 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
 void Dispatch::forget(int session) {
   control_.forget(session);
   programs_.forget(session);
+  surfaces_.forget(session);
+  logs_.forget(session);
   note_control();
   tell_control();
 }
@@ -333,9 +369,13 @@ void Dispatch::shut_down(const Call& call) {
 CommandResult Dispatch::lower_role(const Call& call) {
   const auto wanted = protocol::role_named(call.parameters["role"].get<std::string>());
   call.session.role = std::min(call.session.role, wanted.value_or(call.session.role));
-  // The name is what the client says; who the client is stays behind it.
+  // The name is what the client says; who the client is stays behind it. The server of the page
+  // says it first: what a browser says afterwards changes nothing.
   const auto name = call.parameters.value("name", std::string());
-  if (!name.empty()) call.session.peer = name + " (" + call.session.peer + ")";
+  if (!name.empty() && !call.session.is_named) {
+    call.session.peer = name + " (" + call.session.peer + ")";
+    call.session.is_named = true;
+  }
   return json{{"role", protocol::role_name(call.session.role)}};
 }
 

@@ -14,9 +14,11 @@
 
 #include "daemon/desk/channel_control.h"
 #include "daemon/desk/command_desk.h"
+#include "daemon/desk/log_desk.h"
 #include "daemon/desk/program_desk.h"
 #include "daemon/desk/status_report.h"
 #include "daemon/desk/subscription.h"
+#include "daemon/desk/surface_desk.h"
 #include "protocol/json_rpc.h"
 
 namespace stanok::daemon {
@@ -25,7 +27,8 @@ namespace stanok::daemon {
 struct SessionState {
   int id = 0;
   protocol::Role role = protocol::Role::observer;
-  std::string peer;  // for logs: "uid 1000, pid 4711"
+  std::string peer;       // for logs: "uid 1000, pid 4711"
+  bool is_named = false;  // who works there was told
   Subscription subscription;
   // Stops that the daemon had taken when the current request came in.
   std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();
@@ -59,6 +62,8 @@ class Dispatch {
     tell_control();
     desk_.tick(now);
     programs_.tick();
+    surfaces_.tick();
+    logs_.tick();
   }
   void set_clients(std::size_t clients) { clients_ = clients; }
   // The session has ended.
@@ -118,6 +123,8 @@ class Dispatch {
   std::map<int, int> told_control_;  // session by channel, as the cycle was told; -1: not known
   CommandDesk desk_;
   ProgramDesk programs_;
+  SurfaceDesk surfaces_;
+  LogDesk logs_;
   StatusReport report_;
   std::size_t clients_ = 0;
   SteadyTime started_;

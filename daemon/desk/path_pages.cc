@@ -1,9 +1,6 @@
 #include "daemon/desk/path_pages.h"
 
-#include <sodium.h>
-
-#include <bit>
-#include <limits>
+#include "protocol/geometry_bytes.h"
 
 namespace stanok::daemon {
 namespace {
@@ -13,31 +10,11 @@ using protocol::Failure;
 using protocol::FailureKind;
 using runtime::PathPage;
 
-constexpr int kind_path = 1;  // of a page of geometry
-
-void append(std::string& bytes, std::uint32_t word) {
-  for (unsigned shift = 0; shift < 32; shift += 8)
-    bytes.push_back(static_cast<char>(word >> shift & 0xFFU));
-}
-
-std::string bytes_of(const PathPage& page) {
-  std::string bytes;
-  constexpr std::size_t point_bytes = 16;
-  bytes.reserve(page.points.size() * point_bytes);
-  for (const PathPage::Point& point : page.points) {
-    for (const float value : point.place_mm) append(bytes, std::bit_cast<std::uint32_t>(value));
-  }
-  for (const PathPage::Point& point : page.points) append(bytes, point.line);
-  return bytes;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr int variant = sodium_base64_VARIANT_ORIGINAL;
-  std::string text(sodium_base64_encoded_len(bytes.size(), variant), '\0');
-  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                    bytes.size(), variant);
-  text.pop_back();  // the zero that ends it
-  return text;
+std::string base64_of(const PathPage& page) {
+  protocol::GeometryBytes bytes;
+  bytes.reserve(page.points.size());
+  for (const PathPage::Point& point : page.points) bytes.add(point.place_mm, point.line);
+  return bytes.base64();
 }
 
 // [first, behind the last] of the points that are so.
@@ -53,13 +30,13 @@ json ranges_where(const PathPage& page, bool PathPage::Point::* is_so) {
 }
 
 json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number) {
-  return {{"kind", kind_path},
+  return {{"kind", protocol::GeometryKind::path},
           {"id", id},
           {"page", number},
           {"count", page.points.size()},
           {"rapid", ranges_where(page, &PathPage::Point::rapid)},
           {"begins", ranges_where(page, &PathPage::Point::begins)},
-          {"base64", base64(bytes_of(page))}};
+          {"base64", base64_of(page)}};
 }
 
 CommandResult path_is_gone() {

@@ -65,6 +65,7 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
   if (options.logs_from_start) logs_.begin(description.utime_start);
   stream_ = std::make_unique<recording::MessageStream>(std::move(description), std::move(sinks));
   runtime::record_setup({}, file, *stream_);
+  status_.log_directory = options.log_directory;
   refresh_publisher_status();
   logs_.flush();
 }

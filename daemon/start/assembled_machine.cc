@@ -46,7 +46,9 @@ AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& record
       foresight_(
           assembly.file(), program_roots_,
           [this](recording::PathPreview path) { recorder_.show_path(std::move(path)); },
-          [](const std::string& obstacle) { spdlog::warn("{}", obstacle); }) {}
+          [](const std::string& obstacle) { spdlog::warn("{}", obstacle); }),
+      workpieces_(assembly.file().machine,
+                  [](const std::string& complaint) { spdlog::warn("{}", complaint); }) {}
 
 void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
   const std::lock_guard lock(mutex_);
@@ -82,6 +84,7 @@ void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
 }
 
 void AssembledMachine::on_output(const channels::CycleOutput& output) {
+  workpieces_.observe(output);
   const std::lock_guard lock(mutex_);
   newest_ = output;
 }

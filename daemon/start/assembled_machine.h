@@ -13,6 +13,7 @@
 #include "daemon/cycle/running_machine.h"
 #include "daemon/publish/publisher_thread.h"
 #include "daemon/publish/recorder.h"
+#include "daemon/scope/scope.h"
 #include "runtime/assembly.h"
 
 namespace stanok::daemon {
@@ -77,6 +78,8 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] std::shared_ptr<const runtime::PlannedPath> planned_path(int channel) override {
     return foresight_.planned_path(channel);
   }
+  [[nodiscard]] runtime::LiveWorkpieces* live_workpieces() override { return &workpieces_; }
+  [[nodiscard]] Scope& scope() override { return scope_; }
   [[nodiscard]] LoopStatistics loop_statistics() override;
   [[nodiscard]] RealTimeRights real_time_rights() override;
   [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
@@ -115,6 +118,8 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   channels::CycleOutput newest_;
   RealTimeRights rights_;
   runtime::Foresight foresight_;
+  runtime::LiveWorkpieces workpieces_;
+  Scope scope_;
 };
 
 }  // namespace stanok::daemon

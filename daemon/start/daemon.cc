@@ -14,6 +14,7 @@
 #include "daemon/server/operator_server.h"
 #include "daemon/start/assembled_machine.h"
 #include "daemon/start/kept_state.h"
+#include "daemon/start/scope_feed.h"
 #include "protocol/socket_location.h"
 #include "protocol/version.h"
 #include "runtime/standard_cycles.h"
@@ -157,7 +158,8 @@ int run_daemon(const DaemonOptions& options) {
   };
   const KeptState kept(state.path(), machine);
   const RunningDrives drives(assembly);
-  const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server},
+  ScopeFeed scope_feed(machine.scope(), loop);
+  const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server, &scope_feed},
                                   [&](std::string_view reason) { fail("the publisher", reason); });
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),

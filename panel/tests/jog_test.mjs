@@ -53,6 +53,25 @@ test('a line by hand moves the axes; the one before comes back with arrow up', a
   await line.fill('');
 });
 
+test('a line runs once, however often Enter is pressed before its answer', async () => {
+  const sent = [];
+  const note = ({ payload }) => {
+    if (String(payload).includes('"mdi"')) sent.push(payload);
+  };
+  const before = (other) => other.on('websocket', (socket) => socket.on('framesent', note));
+  const other = await stage.openMachine({ before });
+  const line = other.getByLabel(/One line by hand/);
+  await line.fill('G53 G0 X6');
+  await line.evaluate((field) => {
+    const press = { key: 'Enter', code: 'Enter', bubbles: true };
+    for (let i = 0; i < 3; ++i) field.dispatchEvent(new KeyboardEvent('keydown', press));
+  });
+  await until('it is answered', async () => (await line.inputValue()) === '');
+  assert.equal(sent.length, 1);
+  await other.context().close();
+  await rests();
+});
+
 test('a line that is wrong is refused where it was entered, with code and remedy', async () => {
   const line = page.getByLabel(/One line by hand/);
   await line.fill('G1 X Q');
@@ -91,6 +110,48 @@ test('an axis moves while its key is down, the other way, too', async () => {
   await moves(from);
   await page.keyboard.up('ArrowLeft');
   assert.ok((await rests()) < from);
+});
+
+test('a key stops when it is let go, also where it writes something else by then', async () => {
+  const from = await at();
+  await page.keyboard.down('ArrowRight');
+  await moves(from);
+  // As Num Lock, switched on meanwhile, makes of an arrow of the number keys.
+  await page.evaluate(() => {
+    const keys = { key: '6', code: 'ArrowRight', bubbles: true };
+    document.body.dispatchEvent(new KeyboardEvent('keyup', keys));
+  });
+  const end = await rests();
+  assert.equal(await rests(), end);
+  await page.keyboard.up('ArrowRight');
+});
+
+test('arrows on a slider move the slider, not an axis', async () => {
+  const slider = page.getByRole('slider', { name: 'Rapid' });
+  const from = await rests();
+  await slider.focus();
+  await page.keyboard.press('ArrowLeft');
+  await until('95 %', async () => (await stage.status()).override.rapid === 95);
+  assert.equal(await rests(), from);
+  await slider.fill('100');
+  await page.locator('main').click({ position: { x: 3, y: 3 } });
+});
+
+test('a button that vanishes under the finger stops when the finger goes', async () => {
+  const from = await at();
+  await hold();
+  await moves(from);
+  await page.evaluate(() => {
+    const button = document.querySelector('[data-jog="X1"]');
+    button.parentElement.append(button.cloneNode(true));
+    button.remove();
+  });
+  await page.mouse.up();
+  const end = await rests();
+  assert.equal(await rests(), end);
+  await page.reload();
+  await page.getByRole('button', { name: 'Arm' }).click();
+  await page.locator('main').click({ position: { x: 3, y: 3 } });
 });
 
 test('with the keyboard alone every axis can be reached: Enter on its button', async () => {
@@ -132,6 +193,22 @@ test('a step is a step', async () => {
   await until('a tenth', async () => Math.abs((await at()) - from - 0.1) < 1e-6);
   await rests();
   await page.getByRole('button', { name: 'while pressed' }).click();
+});
+
+test('Escape stops a long step, too', async () => {
+  const choose = (group, name) =>
+    page.getByRole('group', { name: group }).getByRole('button', { name, exact: true }).click();
+  await choose('Distance', '10');
+  await choose('Speed', '1');
+  const from = await rests();
+  await page.locator('[data-jog="X-1"]').click();
+  await moves(from);
+  await page.keyboard.press('Escape');
+  const end = await rests();
+  assert.ok(Math.abs(end - from) < 9, `it went ${Math.abs(end - from)} mm of 10`);
+  await page.getByRole('button', { name: 'Arm' }).click();
+  await choose('Distance', 'while pressed');
+  await choose('Speed', '10');
 });
 
 test('Escape stops a jog and disarms', async () => {

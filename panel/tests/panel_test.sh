@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# One part of the tests of the page. usage: panel_test.sh packages|page|unit|views|job|jog FOLDER_OF_THE_PROGRAMS
+# One part of the tests of the page. usage: panel_test.sh packages|page|unit|views|job|jog|run FOLDER_OF_THE_PROGRAMS
 #
-# Needs Node 18 or newer and npm; views, job and jog Chromium, too. Says what is missing and ends with 77.
+# Needs Node 18 or newer and npm; views, job, jog and run Chromium, too. Says what is missing and ends with 77.
 set -euo pipefail
 part="$1"
 export STANOK_BIN="$2"
@@ -71,6 +71,6 @@ browser() {
 
 case "$part" in
   packages | page | unit) "$part" ;;
-  views | job | jog) browser "$part" ;;
-  *) echo "usage: ${0##*/} packages|page|unit|views|job|jog FOLDER" >&2; exit 2 ;;
+  views | job | jog | run) browser "$part" ;;
+  *) echo "usage: ${0##*/} packages|page|unit|views|job|jog|run FOLDER" >&2; exit 2 ;;
 esac

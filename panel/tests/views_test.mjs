@@ -12,7 +12,7 @@ import { after, before, describe, test } from 'node:test';
 import { password, root, setStage, until } from './stage.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const views = ['machine', 'path', 'programs', 'tools', 'drives', 'history', 'help'];
+const views = ['machine', 'path', 'programs', 'tools', 'drives', 'scope', 'history', 'help'];
 const sizes = [
   [360, 640],
   [800, 1280],
@@ -184,6 +184,39 @@ describe('states', () => {
     await page.context().close();
   });
 
+  test('a question is put anew when what it asks for has changed', async () => {
+    await stage.client.call('program.load', { program: 'helix.nc' });
+    const page = await stage.openMachine();
+    const region = page.getByRole('region', { name: 'Program', exact: true });
+    await page.getByText('helix.nc').first().waitFor();
+    await region.getByRole('button', { name: 'Run' }).click();
+    await region.getByText(/Run helix.nc/).waitFor();
+    await stage.client.call('program.load', { program: 'square_and_circle.nc' });
+    await region.getByRole('button', { name: 'Yes' }).waitFor({ state: 'detached' });
+    await region.getByRole('button', { name: 'Run' }).click();
+    await region.getByText(/Run square_and_circle.nc/).waitFor();
+    await page.context().close();
+  });
+
+  test('a view that fails leaves hold and stop where they are', async () => {
+    const failing = async (page) => {
+      await page.route('**/HelpView-*.js', (route) =>
+        route.fulfill({
+          contentType: 'text/javascript',
+          body: "export default function Fails() { throw new Error('as it was meant'); }",
+        }),
+      );
+    };
+    const page = await stage.openMachine({ before: failing });
+    await page.evaluate(() => (location.hash = '#/help'));
+    await page.getByText('This view has failed').waitFor();
+    assert.deepEqual(await findings(page), []);
+    await page.locator('button.hold').click();
+    await page.evaluate(() => (location.hash = '#/machine'));
+    await page.locator('[data-state]').first().waitFor();
+    await page.context().close();
+  });
+
   test('empty: no programs, tools, drives, runs', async () => {
     const nothing = {
       'program.list': { programs: [], root: '/programs', complete: true },
@@ -315,6 +348,42 @@ describe('programs', () => {
     await page.getByRole('alert').getByText('Refused').waitFor();
     const { text } = await stage.client.call('program.read', { program: 'helix.nc' });
     assert.equal(text, theirs);
+    await page.context().close();
+  });
+});
+
+describe('what is not saved', () => {
+  test('stays while other views are shown, and can be taken back', async () => {
+    const name = 'square_and_circle.nc';
+    const page = await stage.openMachine();
+    await show(page, 'programs');
+    await page.getByRole('link', { name: new RegExp(name) }).click();
+    const text = page.getByLabel('Text of the program');
+    await text.click();
+    await page.keyboard.press('Control+Home');
+    await page.keyboard.type('G4 P7 ');
+    await show(page, 'machine');
+    await page.evaluate((of) => (location.hash = `#/programs/${of}`), name);
+    await text.getByText('G4 P7').waitFor();
+    await page.getByRole('heading', { name: /changed/ }).waitFor();
+    await page.getByRole('button', { name: 'Take back' }).click();
+    await page.getByRole('button', { name: 'Yes' }).click();
+    await text.getByText('G4 P7').waitFor({ state: 'detached' });
+    await page.context().close();
+  });
+
+  test('a text of another encoding is shown and not saved', async () => {
+    writeFileSync(
+      join(stage.programs, 'cp1251.nc'),
+      Buffer.from([0x28, 0xcf, 0x29, 0x0a, 0x4d, 0x32]),
+    );
+    const page = await stage.openMachine();
+    await page.evaluate(() => (location.hash = '#/programs/cp1251.nc'));
+    await page.getByText('This text is not in UTF-8').waitFor();
+    await page.getByLabel('Text of the program').click();
+    await page.keyboard.type('G4 ');
+    await page.getByRole('heading', { name: /changed/ }).waitFor();
+    assert.ok(await page.getByRole('button', { name: 'Save' }).isDisabled());
     await page.context().close();
   });
 });

@@ -1,12 +1,10 @@
 #include "runtime/foresight/foresight.h"
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <algorithm>
 #include <exception>
 #include <utility>
 
+#include "base/idle_thread.h"
 #include "runtime/axis_positions.h"
 #include "runtime/simulation.h"
 
@@ -94,12 +92,6 @@ class PathGathering final : public CycleObserver {
   std::map<int, PlannedPathWriter> writers_;
 };
 
-// Never in the way of anything else.
-void become_idle_class() {
-  const sched_param none{};
-  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none));
-}
-
 }  // namespace
 
 RunsOfChannels runs_of(const channels::CycleOutput& output) {
@@ -181,7 +173,7 @@ void Foresight::begins(int channel, RunsOfChannels before) {
 
 // The root of the thread: what cannot be foreseen is no reason to end a machine at work.
 void Foresight::work(const std::stop_token& stop) {
-  become_idle_class();
+  run_when_idle();
   while (!stop.stop_requested()) {
     Order order;
     {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "daemon/cycle/running_machine.h"
+#include "daemon/scope/scope.h"
 
 namespace stanok::daemon {
 
@@ -134,6 +135,8 @@ class FakeMachine final : public RunningMachine {
   void foresee(int, const std::string& program) override { looked_at.push_back(program); }
   void foreseen_begins(int, runtime::RunsOfChannels) override {}
   [[nodiscard]] runtime::Outlook outlook(int) override { return expected; }
+  [[nodiscard]] runtime::LiveWorkpieces* live_workpieces() override { return nullptr; }
+  [[nodiscard]] Scope& scope() override { return scope_now; }
   [[nodiscard]] std::shared_ptr<const runtime::PlannedPath> planned_path(int) override {
     return planned;
   }
@@ -146,6 +149,7 @@ class FakeMachine final : public RunningMachine {
   std::vector<std::pair<std::string, plant::FaultKind>> faults;
   channels::CycleOutput output;
   channels::TablesConfig tables_now;
+  Scope scope_now;
   std::vector<channels::RunReport> run_reports;
   std::vector<channels::AlarmReport> alarm_reports;
   std::optional<channels::SearchReport> searched;

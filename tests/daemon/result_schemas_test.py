@@ -7,6 +7,7 @@ python3-jsonschema.
 """
 import os
 import sys
+import tempfile
 import time
 
 try:
@@ -23,7 +24,8 @@ PROGRAM = "S1000 M3\nfor (num turn = 0; turn < 1000; turn++) {\nG1 X5 F600\nX0\n
 
 def main():
     stanokd, _, machine_file = sys.argv[1:4]
-    with running_daemon(stanokd, machine_file, PROGRAM) as daemon:
+    with tempfile.TemporaryDirectory() as logs, \
+            running_daemon(stanokd, machine_file, PROGRAM, options=("--log", logs)) as daemon:
         check(Operator(daemon.socket_path))
 
 
@@ -43,8 +45,10 @@ def check(operator):
     seen = set()
 
     def ask(method, /, **parameters):
-        jsonschema.validate(operator.ask(method, **parameters), schemas[method])
+        result = operator.ask(method, **parameters)
+        jsonschema.validate(result, schemas[method])
         seen.add(method)
+        return result
 
     looking = [method["name"] for method in methods if only_looks(method)]
 
@@ -65,6 +69,10 @@ def check(operator):
     ask("tool.set", number=1, key="length", value=10)
     ask("offset.set", offset="G54", axis="X", value=0)
     ask("override.feed", percent=90)
+    ask("log.stop")
+    log = ask("history.logs")["logs"][0]["file"]
+    ask("history.verify", file=log)
+    ask("history.path", file=log)
     ask("log.start")
     ask("log.stop")
     ask("machine.on")
@@ -74,6 +82,9 @@ def check(operator):
     ask("program.reset")
     ask("mdi", text="G90", wait="done")
     ask("workpiece.allow", on=1)
+    ask("scope.start", signals="X.position cycle.time", trigger="alarm")
+    ask("scope.stop")
+    ask("scope.read")
     ask("channel.control", on=1)
     ask("channel.control", on=0)
     ask("program.run", program="part.nc")

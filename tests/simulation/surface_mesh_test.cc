@@ -80,6 +80,106 @@ TEST(SurfaceMesh, HasTheVolumeOfTheBlankOutwards) {
   EXPECT_NEAR(mesh.volume(), volume_of(blank), 0.01 * volume_of(blank));
 }
 
+// All bricks of a workpiece.
+std::vector<Patch> patches_of(const Workpiece& workpiece) {
+  std::vector<Patch> patches;
+  const CutMarks& marks = *workpiece.material().marks();
+  for (std::size_t brick = 0; brick < marks.bricks(); ++brick)
+    patches.push_back(patch_of(workpiece.material(), marks.cubes_of(brick)));
+  return patches;
+}
+
+double volume_of(const std::vector<Patch>& patches) {
+  double volume = 0.0;
+  for (const Patch& patch : patches) volume += patch.mesh.volume();
+  return volume;
+}
+
+std::size_t triangles_of(const std::vector<Patch>& patches) {
+  std::size_t count = 0;
+  for (const Patch& patch : patches) count += patch.mesh.triangles.size();
+  return count;
+}
+
+Workpiece marked_plate(double x, double y, double z, double resolution) {
+  Blank blank = testing::box(x, y, z);
+  blank.resolution = resolution;
+  Workpiece workpiece(blank, *grid_of(blank));
+  workpiece.mark_cuts();
+  return workpiece;
+}
+
+// Parts of a closed surface enclose, put together, what the whole does.
+TEST(SurfaceMesh, IsTheSameInPatches) {
+  Workpiece workpiece = marked_plate(40.0, 30.0, 20.0, 0.4);
+  testing::mill_along(workpiece, testing::rotating(ToolKind::ball, 3.0), Vector::UnitZ(),
+                      {{-5.0, 12.0, 15.0}, {45.0, 21.0, 11.0}});
+  const Mesh whole = surface_of(workpiece.material());
+  const auto patches = patches_of(workpiece);
+  EXPECT_GT(patches.size(), 8U);
+  EXPECT_EQ(triangles_of(patches), whole.triangles.size());
+  EXPECT_NEAR(volume_of(patches), whole.volume(), 1e-3);
+}
+
+// A slot of 4 mm across a plate whose left half was cut by another tool.
+TEST(CutMarks, NameTheToolThatMadeASurface) {
+  Workpiece workpiece = marked_plate(40.0, 20.0, 10.0, 0.5);
+  Circumstances circumstances = testing::at_feed(1);
+  const MillingTool flat = workpiece.milling_tool(testing::rotating(ToolKind::flat, 2.0));
+  circumstances.tool = 7;
+  workpiece.mill(flat, {{10.0, -5.0, 6.0}, Vector::UnitZ()}, {{10.0, 25.0, 6.0}, Vector::UnitZ()},
+                 circumstances);
+  circumstances.tool = 31;
+  workpiece.mill(flat, {{30.0, -5.0, 3.0}, Vector::UnitZ()}, {{30.0, 25.0, 3.0}, Vector::UnitZ()},
+                 circumstances);
+  std::size_t floors = 0;
+  for (const Patch& patch : patches_of(workpiece)) {
+    ASSERT_EQ(patch.tools.size(), patch.mesh.points.size());
+    for (std::size_t k = 0; k < patch.tools.size(); ++k) {
+      const auto& point = patch.mesh.points[k];
+      if (std::abs(point.z()) < 1e-3F) {
+        EXPECT_EQ(patch.tools[k], 0) << "the underside is the blank's";
+      }
+      const bool is_within = point.y() > 1.0F && point.y() < 19.0F;
+      const bool is_floor =
+          std::abs(point.z() - 6.0F) < 1e-3F || std::abs(point.z() - 3.0F) < 1e-3F;
+      if (!is_within || !is_floor || std::abs(std::remainder(point.x() - 10.0F, 20.0F)) > 1.0F)
+        continue;
+      EXPECT_EQ(patch.tools[k], point.x() < 20.0F ? 7 : 31) << point.transpose();
+      ++floors;
+    }
+  }
+  EXPECT_GT(floors, 100U);
+}
+
+// What is drawn again where a brick has changed is the surface of now, everywhere.
+TEST(CutMarks, TellEveryBrickThatHasChanged) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-3.0, 43.0);
+  std::normal_distribution<double> normal;
+  Workpiece workpiece = marked_plate(40.0, 40.0, 40.0, 0.6);
+  const MillingTool tool = workpiece.milling_tool(testing::rotating(ToolKind::ball, 2.5));
+  auto shown = patches_of(workpiece);
+  std::size_t untouched = 0;
+  for (int cut = 0; cut < 40; ++cut) {
+    const std::uint32_t known = workpiece.marks()->close_version();
+    const Vector axis = Vector(normal(random), normal(random), normal(random)).normalized();
+    const Vector at(place(random), place(random), place(random));
+    workpiece.mill(tool, {at, axis}, {at + 4.0 * axis, axis}, testing::at_feed(1));
+    for (std::size_t brick = 0; brick < shown.size(); ++brick) {
+      if (workpiece.marks()->changed(brick) <= known) {
+        ++untouched;
+        continue;
+      }
+      shown[brick] = patch_of(workpiece.material(), workpiece.marks()->cubes_of(brick));
+    }
+    const Mesh whole = surface_of(workpiece.material());
+    ASSERT_EQ(triangles_of(shown), whole.triangles.size()) << cut;
+    ASSERT_NEAR(volume_of(shown), whole.volume(), 1e-2) << cut;
+  }
+  EXPECT_GT(untouched, 20 * shown.size()) << "most bricks are left alone by most cuts";
+}
+
 // A corner alone is one triangle, its opposite case the same turned over; all and none are nothing.
 TEST(CubeCases, AreWhatTheDrawingShows) {
   EXPECT_TRUE(cube_triangles(0).empty());

@@ -75,7 +75,7 @@ def wait_for_socket(process, path):
 
 
 @contextlib.contextmanager
-def running_daemon(stanokd, machine_file, program, error=subprocess.DEVNULL):
+def running_daemon(stanokd, machine_file, program, error=subprocess.DEVNULL, options=()):
     """`error`: where the log of the daemon goes."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "op.sock")
@@ -83,7 +83,7 @@ def running_daemon(stanokd, machine_file, program, error=subprocess.DEVNULL):
             part.write(program)
         process = subprocess.Popen([stanokd, "--machine", machine_file, "--drives", "embedded", "--lcm", "off",
                                     "--state", os.path.join(folder, "state"), "--socket", path,
-                                    "--program-root", folder], stderr=error)
+                                    "--program-root", folder, *options], stderr=error)
         try:
             wait_for_socket(process, path)
             yield Daemon(process, path)

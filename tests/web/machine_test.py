@@ -28,7 +28,8 @@ class AtTheMachine(unittest.TestCase):
         stack = contextlib.ExitStack()
         self.addCleanup(stack.close)
         self.folder = stack.enter_context(tempfile.TemporaryDirectory())
-        self.machine = stack.enter_context(running_daemon(STANOKD, MACHINE, LONG_PROGRAM))
+        logs = ("--log", os.path.join(self.folder, "log"))
+        self.machine = stack.enter_context(running_daemon(STANOKD, MACHINE, LONG_PROGRAM, options=logs))
         self.operator = Operator(self.machine.socket_path)
         stack.callback(self.operator.socket.close)
         stack.callback(self.operator.lines.close)
@@ -138,6 +139,87 @@ class AtTheMachine(unittest.TestCase):
             if line > 3:
                 self.assertAlmostEqual(math.hypot(x, y), 20.0, delta=1e-4)
         window.close()
+
+    def test_a_workpiece_is_seen_while_it_is_cut(self):
+        window = self.open_window()
+        self.switch_on(window)
+        # A block of 40 x 30 x 10 mm, and a slot along X of the width of the tool, 2 mm deep.
+        radius = 4
+        window.ask("tool.load", tables=f'[[tool]]\nnumber = 1\nkind = "flat"\nradius = {radius}.0\nlength = 0.0\n'
+                                       "overhang = 40.0\n")
+        program = ("G21 G90 G17\n#workpiece (0, 0.5, 0, 40, 30, 10, 0, 0, 10)\nT1 M6\nM3 S3000\n"
+                   "G0 X-20 Y15 Z5\nG1 Z-2 F6000\nG1 X60\nG0 Z5\nM30\n")
+        window.ask("program.write", program="slot.nc", text=program)
+        self.insist(window, "program.run", code="E6008", program="slot.nc")
+        wanted = 40 * 30 * 10 - 40 * 2 * radius * 2
+        bricks, known = {}, {"workpiece": 0, "since": 0}
+        end = time.monotonic() + PATIENCE_S
+        while abs(self.volume_of(bricks) - wanted) > 0.01 * wanted:
+            self.assertLess(time.monotonic(), end, self.volume_of(bricks))
+            self.look_at_surface(window, bricks, known)
+        self.assertEqual({tool for corners in bricks.values() for _, tool in corners}, {0, 1})
+        window.close()
+
+    def test_a_log_is_verified_and_its_path_comes_with_times(self):
+        window = self.open_window()
+        self.switch_on(window)
+        window.ask("program.write", program="way.nc", text="G21 G90\nG1 X20 F3000\nG1 Y10\nM30\n")
+        self.insist(window, "program.run", code="E6008", program="way.nc")
+        self.until(lambda status: status["position"]["Y"] == 10 and status["state"] == "Reset", "it was there")
+        log = os.path.basename(window.ask("log.stop")["path"])
+        listed = [one["file"] for one in window.ask("history.logs")["logs"]]
+        self.assertIn(log, listed)
+        verified = window.ask("history.verify", file=log)
+        self.assertEqual((verified["verdict"], verified["difference"]), ("same", None), verified)
+        path = window.ask("history.path", file=log)
+        frame = window.receive_frame()[1] if not window.binary else window.binary.pop()
+        kind, _, _, count = struct.unpack_from("<4I", frame)
+        self.assertEqual((kind, count), (3, path["points"]))
+        points = list(zip(*[iter(struct.unpack_from(f"<{3 * count}f", frame, 16))] * 3))
+        times = struct.unpack_from(f"<{count}I", frame, 16 + 12 * count)
+        self.assertEqual(list(times), sorted(times))
+        for corner in ((20, 0), (20, 10)):
+            self.assertLess(min(math.dist(corner, point[:2]) for point in points), 0.1)
+        # 30 mm at 50 mm/s take 0.6 s and a little more.
+        self.assertGreater(times[-1] - times[0], 600)
+        self.assertEqual({line for _, line in path["geometry"]["lines"]} - {0}, {2, 3})
+        window.close()
+
+    def look_at_surface(self, window, bricks, known):
+        """All that has changed behind the version that is known, page by page."""
+        start, version = 0, None
+        while start is not None:
+            page = window.ask("workpiece.surface", **known, **{"from": start})
+            if page["workpiece"] is None:
+                time.sleep(0.05)
+                return
+            if page["workpiece"] != known["workpiece"]:
+                bricks.clear()
+                known.update(workpiece=page["workpiece"], since=0)
+            version = version or page["version"]
+            if not window.binary:
+                opcode, payload = window.receive_frame()
+                self.assertEqual(opcode, 2)
+                window.binary.append(payload)
+            kind, _, _, count = struct.unpack_from("<4I", frame := window.binary.pop())
+            self.assertEqual((kind, count), (2, page["geometry"]["count"]))
+            numbers = struct.unpack_from(f"<{3 * count}f", frame, 16)
+            tools = struct.unpack_from(f"<{count}I", frame, 16 + 12 * count)
+            corners = list(zip(zip(*[iter(numbers)] * 3), tools))
+            for brick, first, behind in page["geometry"]["bricks"]:
+                bricks[brick] = corners[first:behind]
+            start = page["next"]
+        known["since"] = version
+
+    @staticmethod
+    def volume_of(bricks):
+        """By the divergence theorem."""
+        volume = 0
+        for corners in bricks.values():
+            for a, b, c in zip(*[iter(place for place, _ in corners)] * 3):
+                volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                           a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
+        return volume
 
     def test_programs_are_edited_by_who_knows_their_version(self):
         window = self.open_window()

@@ -4,15 +4,23 @@
 
 namespace stanok::web {
 
-std::string Sessions::begin(Visitor visitor, Time now) {
+Sessions::Begun Sessions::begin(Visitor visitor, Time now) {
+  Begun begun{.secret = new_secret(), .ended = {}};
   if (entries_.size() >= sessions_max) {
-    entries_.erase(std::min_element(
+    const auto away = std::min_element(
         entries_.begin(), entries_.end(),
-        [](const auto& a, const auto& b) { return a.second.used < b.second.used; }));
+        [](const auto& a, const auto& b) { return a.second.used < b.second.used; });
+    begun.ended = away->second.session.id;
+    entries_.erase(away);
   }
-  std::string secret = new_secret();
-  entries_[hash_of(secret)] = {{++last_id_, std::move(visitor)}, now, now};
-  return secret;
+  entries_[hash_of(begun.secret)] = {{++last_id_, std::move(visitor)}, now, now};
+  return begun;
+}
+
+void Sessions::note_use(const std::vector<std::uint64_t>& ids, Time now) {
+  for (auto& [hash, entry] : entries_) {
+    if (std::ranges::find(ids, entry.session.id) != ids.end()) entry.used = now;
+  }
 }
 
 std::optional<WebSession> Sessions::find(std::string_view secret, Time now) {

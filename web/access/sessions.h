@@ -1,7 +1,8 @@
 // Sessions: who is let in, on the server's side, so that each can be ended at once.
 //
 // The browser holds a secret in a cookie, the server its hash. A session ends when nobody used it
-// for `idle_max`, after `age_max`, by its own wish, or when its user is taken away. One thread.
+// for `idle_max`, after `age_max`, by its own wish, or when its user is taken away; a page that is
+// open uses it. One thread.
 #pragma once
 
 #include <chrono>
@@ -37,10 +38,15 @@ class Sessions {
   static constexpr auto idle_max = std::chrono::hours(12);
   static constexpr auto age_max = std::chrono::hours(24 * 7);
 
-  // The secret for the cookie.
-  [[nodiscard]] std::string begin(Visitor visitor, Time now);
+  struct Begun {
+    std::string secret;                  // for the cookie
+    std::optional<std::uint64_t> ended;  // the session that had to make room
+  };
+  [[nodiscard]] Begun begin(Visitor visitor, Time now);
   // Notes that it is used.
   [[nodiscard]] std::optional<WebSession> find(std::string_view secret, Time now);
+  // Pages of these sessions are open.
+  void note_use(const std::vector<std::uint64_t>& ids, Time now);
   // Ends all that are asked for, and those whose time is over; their ids.
   using Condition = std::function<bool(const WebSession& session)>;
   [[nodiscard]] std::vector<std::uint64_t> end_where(const Condition& condition, Time now);

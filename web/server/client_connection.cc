@@ -118,26 +118,31 @@ asio::awaitable<bool> ClientConnection::answer(const Request& request) {
   co_return co_await write(answer, request);
 }
 
-std::optional<Answer> ClientConnection::obstacle_to_window(const Request& request) const {
-  if (const auto obstacle = house_.reception.obstacle(request)) return obstacle;
-  if (path_of(request) != "/ws") return refusal(Status::not_found, "the WebSocket is /ws");
+Expected<WebSession, Answer> ClientConnection::visitor_of(const Request& request) const {
+  const auto refused = [](Status status, const std::string& text) {
+    return Unexpected<Answer>(refusal(status, text));
+  };
+  if (const auto obstacle = house_.reception.obstacle(request))
+    return Unexpected<Answer>(*obstacle);
+  if (path_of(request) != "/ws") return refused(Status::not_found, "the WebSocket is /ws");
   // Browsers always tell; nobody else may come with what a browser keeps.
   if (request.count(Field::origin) != 1)
-    return refusal(Status::forbidden, "a WebSocket needs the field Origin");
-  if (!house_.doorkeeper.session_of(request))
-    return refusal(Status::unauthorized, "there is no session");
+    return refused(Status::forbidden, "a WebSocket needs the field Origin");
+  const auto session = house_.doorkeeper.session_of(request);
+  if (!session) return refused(Status::unauthorized, "there is no session");
   if (!house_.has_room_for_window())
-    return refusal(Status::service_unavailable, "too many pages are open");
-  return std::nullopt;
+    return refused(Status::service_unavailable, "too many pages are open");
+  return *session;
 }
 
 asio::awaitable<void> ClientConnection::open_window(Request request) {
-  if (const auto obstacle = obstacle_to_window(request)) {
+  auto visitor = visitor_of(request);
+  if (!visitor) {
     request.keep_alive(false);
-    static_cast<void>(co_await write(*obstacle, request));
+    static_cast<void>(co_await write(visitor.error(), request));
     co_return;
   }
-  window_ = std::make_shared<MachineWindow>(stream_, *house_.doorkeeper.session_of(request));
+  window_ = std::make_shared<MachineWindow>(stream_, std::move(*visitor));
   co_await window_->serve(std::move(request), house_.machine.socket());
 }
 

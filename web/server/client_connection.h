@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/expected.h"
 #include "web/server/answer.h"
 #include "web/server/client_stream.h"
 #include "web/server/machine_window.h"
@@ -62,7 +63,8 @@ class ClientConnection : public std::enable_shared_from_this<ClientConnection> {
   [[nodiscard]] boost::asio::awaitable<void> outlast();
   [[nodiscard]] boost::asio::awaitable<bool> write(const Answer& answer, const Request& request);
   [[nodiscard]] boost::asio::awaitable<bool> answer(const Request& request);
-  [[nodiscard]] std::optional<Answer> obstacle_to_window(const Request& request) const;
+  // Who asks for a window to the machine, or why there is none.
+  [[nodiscard]] Expected<WebSession, Answer> visitor_of(const Request& request) const;
   [[nodiscard]] boost::asio::awaitable<void> open_window(Request request);
 
   const House& house_;

@@ -49,6 +49,12 @@ bool ConnectionList::has_room_for_window() const {
   return windows().size() < windows_max;
 }
 
+std::vector<std::uint64_t> ConnectionList::sessions() const {
+  std::vector<std::uint64_t> ids;
+  for (const auto& connection : windows()) ids.push_back(connection->window()->session().id);
+  return ids;
+}
+
 void ConnectionList::end_windows_of(const std::vector<std::uint64_t>& sessions) {
   for (const auto& connection : windows()) {
     const std::uint64_t session = connection->window()->session().id;

@@ -28,6 +28,8 @@ class ConnectionList {
   void forget(std::uint64_t id) { connections_.erase(id); }
 
   [[nodiscard]] bool has_room_for_window() const;
+  // Of the pages that are open.
+  [[nodiscard]] std::vector<std::uint64_t> sessions() const;
   void end_windows_of(const std::vector<std::uint64_t>& sessions);
   // Browsers that do not take what is sent to them.
   void end_stuck(Time now);

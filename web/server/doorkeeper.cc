@@ -57,9 +57,10 @@ asio::awaitable<Answer> Doorkeeper::enter_by_password(std::string name, std::str
 
 Answer Doorkeeper::let_in(Visitor visitor) {
   spdlog::info("session of {} begins as {}", visitor.name, protocol::role_name(visitor.role));
-  const std::string secret = sessions_.begin(std::move(visitor), now());
+  const auto begun = sessions_.begin(std::move(visitor), now());
+  if (begun.ended) on_end_({*begun.ended});
   return {.status = Status::no_content,
-          .fields = {{Field::set_cookie, cookie(secret, Sessions::age_max)}}};
+          .fields = {{Field::set_cookie, cookie(begun.secret, Sessions::age_max)}}};
 }
 
 Answer Doorkeeper::leave(const Request& request) {
@@ -71,7 +72,8 @@ Answer Doorkeeper::leave(const Request& request) {
           .fields = {{Field::set_cookie, cookie("", std::chrono::seconds(0))}}};
 }
 
-void Doorkeeper::tick() {
+void Doorkeeper::tick(const std::vector<std::uint64_t>& open) {
+  sessions_.note_use(open, now());
   const bool has_changed = logins_.look_at_file();
   end_where(
       [&](const WebSession& session) { return has_changed && !logins_.knows(session.visitor); });

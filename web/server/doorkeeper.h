@@ -36,8 +36,9 @@ class Doorkeeper {
                                                                  std::string password,
                                                                  boost::asio::ip::address from);
   [[nodiscard]] Answer leave(const Request& request);
-  // To be called about once a second. Whose name, role or password has changed is out.
-  void tick();
+  // To be called about once a second, with the sessions of the pages that are open. Whose name,
+  // role or password has changed is out.
+  void tick(const std::vector<std::uint64_t>& open);
 
  private:
   [[nodiscard]] Answer let_in(Visitor visitor);

@@ -69,10 +69,15 @@ LinkDesk::~LinkDesk() {
   std::filesystem::remove(path_, ignored);
 }
 
+void LinkDesk::close() {
+  boost::system::error_code ignored;
+  ignored = acceptor_.close(ignored);
+}
+
 asio::awaitable<void> LinkDesk::serve() {
   constexpr auto pause = std::chrono::milliseconds(100);  // when there are no descriptors left
   asio::steady_timer timer(co_await asio::this_coro::executor);
-  while (true) {
+  while (acceptor_.is_open()) {
     auto [error, socket] = co_await acceptor_.async_accept(asio::as_tuple(asio::use_awaitable));
     if (error == asio::error::operation_aborted) co_return;
     if (error) {

@@ -25,8 +25,9 @@ class LinkDesk {
   LinkDesk(const LinkDesk&) = delete;
   LinkDesk& operator=(const LinkDesk&) = delete;
 
-  // Until the acceptor is closed.
+  // Until `close`; the desk outlives it.
   [[nodiscard]] boost::asio::awaitable<void> serve();
+  void close();
 
  private:
   std::filesystem::path path_;

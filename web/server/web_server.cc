@@ -142,7 +142,7 @@ asio::awaitable<void> WebServer::Parts::keep_order() {
     timer.expires_after(round_time);
     const auto [error] = co_await timer.async_wait(asio::as_tuple(asio::use_awaitable));
     if (error) co_return;
-    doorkeeper.tick();
+    doorkeeper.tick(connections.sessions());
     connections.end_stuck(std::chrono::steady_clock::now());
   }
 }
@@ -152,7 +152,7 @@ void WebServer::Parts::close_all() {
   ignored = acceptor.close(ignored);
   ignored = signals.cancel(ignored);
   timer.cancel();
-  link_desk.reset();
+  if (link_desk) link_desk->close();
   connections.end_all();
 }
 

@@ -41,8 +41,8 @@ WorkpieceObserver::WorkpieceObserver(const channels::MachineConfig& machine,
       complain(id, code, text);
       refused_ = refused_ || code.front() == 'E';
     };
-    feeds_.push_back(
-        std::make_unique<ChannelFeed>(machine, channel, options.memory_mib << 20U, on_complaint));
+    feeds_.push_back(std::make_unique<runtime::ChannelFeed>(
+        machine, channel, options.memory_mib << 20U, on_complaint));
   }
 }
 
@@ -51,11 +51,7 @@ void WorkpieceObserver::observe(const channels::CycleOutput& output) {
   for (std::size_t k = 0; k < feeds_.size(); ++k) {
     const channels::ChannelOutput& channel = output.channels[k];
     if (channel.axis_count == 0) continue;
-    const simulation::Sample sample = sample_of(channel, time_s);
-    feeds_[k]->hear_of_tool(channel.tool_row);
-    if (!feeds_[k]->has_heard(channel.workpiece.announcements))
-      feeds_[k]->hear(news_of(channel.workpiece), sample);
-    feeds_[k]->follow(sample);
+    feeds_[k]->take(runtime::sample_of(channel, time_s), channel.tool_row, channel.workpiece);
   }
 }
 

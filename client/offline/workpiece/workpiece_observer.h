@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "client/offline/workpiece/workpiece_feed.h"
 #include "client/offline/workpiece/workpiece_output.h"
 #include "runtime/simulation.h"
+#include "runtime/workpiece/workpiece_feed.h"
 
 namespace stanok::client {
 
@@ -34,7 +34,7 @@ class WorkpieceObserver final : public runtime::CycleObserver {
   WorkpieceFiles files_;
   double cycle_s_;
   bool refused_ = false;
-  std::vector<std::unique_ptr<ChannelFeed>> feeds_;
+  std::vector<std::unique_ptr<runtime::ChannelFeed>> feeds_;
   std::vector<NamedWorkpiece> workpieces_;
   FileNames names_;
 };

@@ -29,7 +29,7 @@ WorkpieceStream::WorkpieceStream(const channels::MachineConfig& machine, std::ui
                                  const lang::Files* texts)
     : texts_(texts), prefix_(prefix_of(machine.name)), cycle_s_(machine.cycle_us * 1e-6) {
   for (const channels::ChannelConfig& channel : machine.channels) {
-    channels_[channel.id].feed = std::make_unique<ChannelFeed>(
+    channels_[channel.id].feed = std::make_unique<runtime::ChannelFeed>(
         machine, channel, memory_max,
         [id = channel.id](const std::string& code, const std::string& text) {
           complain(id, code, text);
@@ -67,7 +67,7 @@ void WorkpieceStream::take(std::string_view channel_name, std::span<const std::u
                                       });
   } else if (on(Topic::workpiece)) {
     take_of_channel<workpiece_t>(bytes, [](Followed& channel, const workpiece_t& message) {
-      channel.news = news_of(message);
+      channel.news = runtime::news_of(message);
     });
   }
 }
@@ -86,7 +86,7 @@ void WorkpieceStream::follow(const setpoint_t& setpoint) {
   time_s_ = static_cast<double>(setpoint.cycle) * cycle_s_;
   count_missing(*channel, setpoint.cycle);
   const simulation::Sample sample =
-      sample_of(setpoint, time_s_, channel->tool, channel->spindle_rev_per_min);
+      runtime::sample_of(setpoint, time_s_, channel->tool, channel->spindle_rev_per_min);
   if (!channel->files.contains(sample.origin.run))
     channel->files[sample.origin.run] = files_of_program();
   if (!channel->feed->has_heard(channel->news.announcements))

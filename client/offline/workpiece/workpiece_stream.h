@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
-#include "client/offline/workpiece/workpiece_feed.h"
 #include "client/offline/workpiece/workpiece_output.h"
 #include "lang/contract/environment.h"
+#include "runtime/workpiece/workpiece_feed.h"
 
 namespace stanok::client {
 
@@ -43,8 +43,8 @@ class WorkpieceStream {
 
  private:
   struct Followed {
-    std::unique_ptr<ChannelFeed> feed;
-    WorkpieceNews news;
+    std::unique_ptr<runtime::ChannelFeed> feed;
+    runtime::WorkpieceNews news;
     channels::ToolAtWork tool;
     double spindle_rev_per_min = 0.0;
     std::int64_t next_cycle = 0;                              // of its setpoints; 0: none came yet

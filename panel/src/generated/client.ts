@@ -905,6 +905,24 @@ export interface Methods {
       }[];
     };
   };
+  /** surface of the workpiece that is being cut, by pages; or what has changed of it */
+  "workpiece.surface": {
+    params: {
+      channel?: number;
+      workpiece?: number;
+      since?: number;
+      from?: number;
+    };
+    result: {
+      blank: unknown;
+      channel: number;
+      cycles_left_out: number;
+      geometry: unknown;
+      next: number | null;
+      version: number;
+      workpiece: number | null;
+    };
+  };
   /** publish the workpieces that programs announce with #workpiece, for viewers that follow the cut */
   "workpiece.allow": {
     params: {
@@ -912,6 +930,109 @@ export interface Methods {
     };
     result: {
       allowed: boolean;
+    };
+  };
+  /** signals of axes, channels and cycle that can be recorded, with units and limits */
+  "scope.signals": {
+    params: Record<string, never>;
+    result: {
+      signals: ({
+        limit: number | null;
+        name: string;
+        unit: string;
+      })[];
+    };
+  };
+  /** record signals in every cycle, from before a trigger; ends the recording before */
+  "scope.start": {
+    params: {
+      signals: string;
+      trigger?: "none" | "level" | "event" | "block" | "alarm";
+      signal?: string;
+      level?: number;
+      edge?: "rising" | "falling";
+      event?: string;
+      line?: number;
+      channel?: number;
+      before_s?: number;
+      length_s?: number;
+    };
+    result: {
+      id: number;
+    };
+  };
+  /** end the recording; what there is can be read */
+  "scope.stop": {
+    params: Record<string, never>;
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** the recording, at most 4096 cycles at a time: Float32, little endian, in base64, a value of each signal, cycle by cycle */
+  "scope.read": {
+    params: {
+      from?: number;
+    };
+    result: {
+      count: number;
+      cycle_us: number;
+      cycles: number;
+      first_cycle: number;
+      from: number;
+      id: number;
+      signals: ({
+        limit: number | null;
+        name: string;
+        unit: string;
+      })[];
+      state: string;
+      trigger: number | null;
+      values: string;
+    };
+  };
+  /** the log files of the machine, the newest first */
+  "history.logs": {
+    params: Record<string, never>;
+    result: {
+      folder: string;
+      logs: {
+        bytes: number;
+        changed_s: number;
+        file: string;
+        is_open: boolean;
+      }[];
+    };
+  };
+  /** repeat a log from its inputs and compare every setpoint: same, part (it is cut, damaged or lacks inputs; the same as far as it goes), or differs */
+  "history.verify": {
+    params: {
+      file: string;
+    };
+    result: {
+      cycles: number;
+      difference: unknown;
+      file: string;
+      lost_from_cycle: number | null;
+      remarks: string[];
+      setpoints: number;
+      verdict: string;
+    };
+  };
+  /** where a log led the tip of a channel: pages of points with their times */
+  "history.path": {
+    params: {
+      file: string;
+      channel?: number;
+      page?: number;
+    };
+    result: {
+      channel: number;
+      file: string;
+      first_cycle: number;
+      geometry: unknown;
+      pages: number;
+      points: number;
+      time_s: number;
     };
   };
   /** recorder and LCM publisher: file, bytes, losses */
@@ -1063,7 +1184,15 @@ export const method_roles: Record<MethodName, string> = {
   "process.automatic": 'operator',
   "process.adaptive": 'operator',
   "workpiece.status": 'observer',
+  "workpiece.surface": 'observer',
   "workpiece.allow": 'operator',
+  "scope.signals": 'observer',
+  "scope.start": 'operator',
+  "scope.stop": 'operator',
+  "scope.read": 'observer',
+  "history.logs": 'observer',
+  "history.verify": 'observer',
+  "history.path": 'observer',
   "log.status": 'observer',
   "log.start": 'operator',
   "log.stop": 'operator',

@@ -1,5 +1,10 @@
 // A page of geometry as it comes in a binary frame: a header of four uint32 (kind, id, page, count),
-// `count` points of three Float32 in mm, and `count` line numbers as Uint32; all little endian.
+// `count` points of three Float32 in mm, and `count` numbers as Uint32 (of lines in a path, of tools on a
+// surface, of times in ms in a log); all little endian.
+
+export const pathKind = 1;
+export const surfaceKind = 2;
+export const loggedKind = 3;
 
 export interface GeometryPage {
   kind: number;
@@ -7,7 +12,7 @@ export interface GeometryPage {
   page: number;
   /** x, y, z of each point. */
   points: Float32Array;
-  /** The line of the program that leads to each point. */
+  /** The line of the program that leads to each point, or the tool that made the surface there. */
   lines: Uint32Array;
 }
 

@@ -6,8 +6,10 @@ import {
   Box3,
   Color,
   CylinderGeometry,
+  DirectionalLight,
   GridHelper,
   Group,
+  HemisphereLight,
   LineBasicMaterial,
   Mesh,
   MeshBasicMaterial,
@@ -23,6 +25,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { Pairs, Segments } from './segments';
 import { way, type Track } from './track';
 import { TrackLine, TrackPoints } from './track_line';
+import { WorkpieceMesh } from './workpiece_mesh';
 
 export type Look = 'iso' | 'top' | 'front' | 'side';
 
@@ -69,6 +72,7 @@ export class PathScene {
     'feed' | 'rapid' | 'doneFeed' | 'doneRapid' | 'trace' | 'marked',
     TrackLine
   >;
+  readonly workpiece = new WorkpieceMesh(() => this.#showWorkpiece());
   readonly #marked = new Pairs();
   #markedLine: number | null = null;
   #markedCount = 0;
@@ -103,7 +107,13 @@ export class PathScene {
     };
     this.#camera.up.set(0, 0, 1);
     this.#grid.rotation.x = Math.PI / 2;
-    this.#scene.add(this.#grid, new AxesHelper(20), this.#tool);
+    this.#scene.add(this.#grid, new AxesHelper(20), this.#tool, this.workpiece.group);
+    this.#renderer.localClippingEnabled = true;
+    // The light comes from where the picture is looked at.
+    const light = new DirectionalLight('white', 1.6);
+    light.position.set(0.4, 0.6, 1);
+    this.#camera.add(light);
+    this.#scene.add(this.#camera, new HemisphereLight('white', '#8a8f98', 1.4));
     for (const { line } of Object.values(this.#lines)) this.#scene.add(line);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => {
@@ -155,6 +165,12 @@ export class PathScene {
     this.#tool.position.set(x, y, z);
     const mayGrow = this.#follows && this.planned.count === 0;
     if (mayGrow && !this.#framed.containsPoint(this.#tool.position)) this.#frame();
+    this.draw();
+  }
+
+  #showWorkpiece(): void {
+    this.canvas.dataset['triangles'] = String(this.workpiece.triangles);
+    if (this.#follows && this.planned.count === 0) this.#frame();
     this.draw();
   }
 
@@ -216,6 +232,7 @@ export class PathScene {
     const box = this.#framed.makeEmpty();
     if (bounds !== null) box.set(new Vector3(...bounds.low), new Vector3(...bounds.high));
     if (this.planned.count === 0) box.expandByPoint(this.#tool.position);
+    box.union(this.workpiece.bounds());
     const centre = box.getCenter(new Vector3());
     const size = Math.max(box.getSize(new Vector3()).length() * 1.1, 40);
     box.expandByScalar(size / 20);
@@ -271,6 +288,7 @@ export class PathScene {
   close(): void {
     this.#closed = true;
     this.#controls.dispose();
+    this.workpiece.close();
     for (const line of Object.values(this.#lines)) line.dispose();
     for (const material of Object.values(this.#materials)) material.dispose();
     this.#renderer.dispose();

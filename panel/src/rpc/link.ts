@@ -30,6 +30,9 @@ export interface Socket {
 
 const stops = ['machine.estop', 'machine.off', 'program.hold', 'program.stop', 'program.reset'];
 
+/** Stops are sent while nothing is heard, and as often as they are asked for. */
+export const isStop = (method: string): boolean => stops.includes(method);
+
 interface Waiting {
   resolve(result: unknown): void;
   reject(error: Refusal): void;
@@ -38,6 +41,8 @@ interface Waiting {
 /** The daemon speaks 20 times a second; after this silence its values are old. */
 export const silence_ms = 800;
 const hopeless_ms = 4000;
+/** A connection that has brought no greeting by then leads nowhere: browsers wait for minutes. */
+export const greeting_ms = 6000;
 const watch_ms = 200;
 const retry_ms = [250, 500, 1000, 2000, 4000];
 
@@ -46,6 +51,7 @@ export class Link {
   #socket: Socket | null = null;
   #greeted = false;
   #heardAt = Date.now();
+  #begunAt = Date.now();
   #attempt = 0;
   #nextId = 1;
   #waiting = new Map<number, Waiting>();
@@ -85,7 +91,7 @@ export class Link {
   /** The refusal says so when nothing was sent, or when no answer came. */
   request(method: string, params: object): Promise<unknown> {
     const socket = this.#socket;
-    const isHeard = this.#state === 'live' || stops.includes(method);
+    const isHeard = this.#state === 'live' || isStop(method);
     if (socket === null || !this.#greeted || !isHeard) {
       return Promise.reject(new Refusal(ownNumbers.notConnected, '', noData));
     }
@@ -100,6 +106,7 @@ export class Link {
     const socket = this.open();
     this.#socket = socket;
     this.#greeted = false;
+    this.#begunAt = Date.now();
     socket.onmessage = (event) => this.#receive(event.data);
     socket.onclose = () => this.#closed();
   }
@@ -139,7 +146,9 @@ export class Link {
   #look(): void {
     const silent = Date.now() - this.#heardAt;
     if (this.#state === 'live' && silent > silence_ms) this.#set('lost');
-    if (this.#socket !== null && this.#greeted && silent > hopeless_ms) this.#closed();
+    if (this.#socket === null) return;
+    const ungreeted = Date.now() - this.#begunAt;
+    if (this.#greeted ? silent > hopeless_ms : ungreeted > greeting_ms) this.#closed();
   }
 
   #set(state: LinkState): void {

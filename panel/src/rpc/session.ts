@@ -44,9 +44,12 @@ export async function signOut(): Promise<void> {
 
 export type SessionAnswer = Session | 'signed_out' | 'no_server';
 
+// A network that swallows the question would keep the page from connecting again.
+const patience_ms = 4000;
+
 export async function currentSession(): Promise<SessionAnswer> {
   try {
-    const answer = await fetch('/api/session');
+    const answer = await fetch('/api/session', { signal: AbortSignal.timeout(patience_ms) });
     if (answer.status === 401 || answer.status === 403) return 'signed_out';
     return answer.ok ? ((await answer.json()) as Session) : 'no_server';
   } catch {

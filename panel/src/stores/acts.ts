@@ -9,6 +9,14 @@ export async function holdAll(): Promise<void> {
   await Promise.all(asked);
 }
 
+/** Every channel that is held goes on; the first refusal is thrown when all were asked for. */
+export async function resumeAll(): Promise<void> {
+  const held = store.channels.filter(
+    (channel) => channel.state === 'Interrupted' && channel.alarm == null,
+  );
+  await Promise.all(held.map(({ id }) => store.call('program.resume', { channel: id })));
+}
+
 /** The emergency stop of the software: along the path to rest, then the drives off. */
 export const stopAll = (): Promise<unknown> => store.call('machine.estop');
 

@@ -9,6 +9,15 @@ export function fixed(value: number, decimals: number): string {
   return value < 0 && !isZero ? minus + text : text;
 }
 
+/** What a person wrote as a number, with comma or point; null when it is none. */
+export function numberIn(text: string): number | null {
+  const plain = text.replace(minus, '-').replace(',', '.').trim();
+  return /^[-+]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;
+}
+
+/** As a word of a program takes it: no exponent, no more digits than a machine can tell apart. */
+export const programNumber = (value: number): string => value.toFixed(6).replace(/\.?0+$/, '');
+
 export const length = (value: number): string => fixed(value, 3);
 
 /** 75 is 1:15, 3,700 is 1:01:40. */

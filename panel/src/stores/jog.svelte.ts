@@ -25,7 +25,10 @@ class Jogging {
   /** The refusals of jogging are shown here. */
   place: Element | null = null;
 
+  // The place of the key that is down, not what it writes: that changes with Shift and Num Lock.
   #key: string | null = null;
+  // The channel of the last step, which goes on when the key or button is let go.
+  #stepped: number | null = null;
   #lease = new JogLease(
     {
       jog: ({ channel, axis, velocity }) => store.call('jog', { channel, axis, velocity }),
@@ -62,6 +65,7 @@ class Jogging {
 
   disarm(): void {
     this.release();
+    this.#endStep();
     this.armed = false;
   }
 
@@ -70,7 +74,7 @@ class Jogging {
     const [word, direction] = keys[event.key] ?? [];
     if (!this.armed || word === undefined || direction === undefined) return false;
     if (event.repeat || this.#key !== null) return true;
-    this.#key = event.key;
+    this.#key = event.code;
     this.pressWord(word, direction);
     return true;
   }
@@ -83,10 +87,20 @@ class Jogging {
   }
 
   keyUp(event: KeyboardEvent): void {
-    if (event.key === this.#key) this.release();
+    if (event.code === this.#key) this.release();
+  }
+
+  // A step of ten millimetres may take long. What a program moves by now is not jogging's to hold.
+  #endStep(): void {
+    const channel = this.#stepped;
+    this.#stepped = null;
+    const status = store.channels.find((one) => one.id === channel)?.program_status;
+    if (channel === null || status === 'Running' || status === 'Waiting') return;
+    store.call('program.hold', { channel }).catch(() => undefined);
   }
 
   #increment(motion: JogMotion, increment: number): void {
+    this.#stepped = motion.channel;
     store.call('jog', { ...motion, increment }).catch((error: unknown) => {
       refusals.show(error, this.place);
     });

@@ -2,16 +2,20 @@
 // with Enter.
 import { holdAll } from './acts';
 import { jogging } from './jog.svelte';
-import { attempt } from './refusal.svelte';
-import { refusals } from './refusal.svelte';
+import { attempt, refusals } from './refusal.svelte';
 import { route } from './route.svelte';
 
 function writesText(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.isContentEditable || target instanceof HTMLTextAreaElement) return true;
   if (target instanceof HTMLSelectElement) return true;
-  const steps = ['button', 'checkbox', 'radio', 'range', 'submit'];
-  return target instanceof HTMLInputElement && !steps.includes(target.type);
+  const pressed = ['button', 'checkbox', 'radio', 'range', 'submit', 'file'];
+  return target instanceof HTMLInputElement && !pressed.includes(target.type);
+}
+
+// A slider has the arrow keys for itself: who moves an override must not move an axis.
+function movesByArrows(target: EventTarget | null): boolean {
+  return target instanceof HTMLInputElement && ['radio', 'range'].includes(target.type);
 }
 
 // The element that has the focus, inside of components with a tree of their own, too.
@@ -39,7 +43,7 @@ function onKeyDown(event: KeyboardEvent, toggleShortcuts: () => void): void {
     if (!event.repeat) void attempt(document.querySelector('.hold'), holdAll);
   } else if (event.key === '?') {
     toggleShortcuts();
-  } else if (jogging.keyDown(event)) {
+  } else if (!movesByArrows(focused(event)) && jogging.keyDown(event)) {
     event.preventDefault();
   }
 }

@@ -7,6 +7,7 @@ import { Refusal, noData, ownNumbers, type Arguments, type Result } from '../rpc
 import { Link, type LinkState, type Socket } from '../rpc/link';
 import { mergePatch, type Json } from '../rpc/merge_patch';
 import { currentSession, type Session } from '../rpc/session';
+import { seldom } from './seldom';
 
 export type Machine = Result<'machine.status'>;
 export type Drives = Result<'drive.status'>;
@@ -62,7 +63,12 @@ class MachineStore {
 
   #status: Status = {};
   #link: Link | null = null;
-  #alarmsAsked = false;
+  #askAlarms = seldom(100, () => {
+    this.call('alarm.list').then(
+      (result) => (this.alarms = result.alarms),
+      () => undefined,
+    );
+  });
   #listeners = new Map<string, ((params: unknown) => void)[]>();
   #frames: ((frame: ArrayBuffer) => void)[] = [];
 
@@ -179,18 +185,6 @@ class MachineStore {
   #event(event: MachineEvent): void {
     this.events = [event, ...this.events].slice(0, eventsKept);
     this.#askAlarms();
-  }
-
-  #askAlarms(): void {
-    if (this.#alarmsAsked) return;
-    this.#alarmsAsked = true;
-    setTimeout(() => {
-      this.#alarmsAsked = false;
-      this.call('alarm.list').then(
-        (result) => (this.alarms = result.alarms),
-        () => undefined,
-      );
-    }, 100);
   }
 }
 

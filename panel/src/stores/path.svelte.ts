@@ -1,6 +1,6 @@
 // The path of the chosen channel: planned, by pages, when the daemon has it, and the trace of the live
 // positions. The points stay outside of the framework; what it watches is only how many there are.
-import { readPage } from '../geometry/page_frame';
+import { pathKind, readPage } from '../geometry/page_frame';
 import { reached } from '../geometry/progress';
 import { PagedTrack, Track, type PageWays } from '../geometry/track';
 import { store, type Channel } from './machine.svelte';
@@ -14,6 +14,10 @@ interface Geometry extends PageWays {
 const tracedAtMost = 200_000;
 const stillness_mm = 0.005;
 const again_ms = 500;
+const after_refusal_ms = 2000;
+
+const pause = (time_ms: number): Promise<void> =>
+  new Promise((resolve) => setTimeout(resolve, time_ms));
 
 export class PathFollower {
   readonly plan = new PagedTrack();
@@ -45,7 +49,7 @@ export class PathFollower {
 
   take(frame: ArrayBuffer): void {
     const page = readPage(frame);
-    if (page === null) return;
+    if (page === null || page.kind !== pathKind) return;
     this.plan.take(page.id, page.page, page);
     this.planned = this.plan.track.count;
   }
@@ -75,11 +79,13 @@ export class PathFollower {
         } else if (answer.complete) {
           return;
         } else {
-          await new Promise((resolve) => setTimeout(resolve, again_ms));
+          await pause(again_ms);
         }
       }
     } catch {
-      // Lost or refused: the trace is drawn in its place.
+      // Lost or refused: the trace is drawn in its place, and the path is asked for again.
+      await pause(after_refusal_ms);
+      if (wanted === this.#asked) this.#asked = '';
     }
   }
 }

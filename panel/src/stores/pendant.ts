@@ -33,13 +33,15 @@ export interface Jogged {
   release(): void;
 }
 
-/** Looks at the controllers with every picture until the function that it gives back is called. */
+/** Looks at the controllers with every picture until the function that it gives back is called. What is
+    down already when it begins moves nothing: it has to be let go first. */
 export function watchPendants(jogged: Jogged): () => void {
-  let last = '';
+  const read = (): ReturnType<typeof askedFor> => askedFor(navigator.getGamepads());
+  let last = read()?.join(' ') ?? '';
   let frame = 0;
   const look = (): void => {
-    const asked = askedFor(navigator.getGamepads());
-    const now = asked === null ? '' : asked.join(' ');
+    const asked = read();
+    const now = asked?.join(' ') ?? '';
     if (now !== last) {
       last = now;
       jogged.release();

@@ -10,6 +10,12 @@ export interface Shown {
   at: { left: number; top: number; bottom: number };
 }
 
+/** What an error says, in a sentence. */
+export function sentenceOf(error: unknown): string {
+  if (error instanceof Refusal) return words(error).sentence;
+  return error instanceof Error ? error.message : String(error);
+}
+
 class RefusalStore {
   shown = $state.raw<Shown | null>(null);
 
@@ -18,7 +24,7 @@ class RefusalStore {
     const box = (beside ?? document.body).getBoundingClientRect();
     const at = { left: box.left, top: box.top, bottom: Math.min(box.bottom, window.innerHeight) };
     if (error instanceof Refusal) this.shown = { ...words(error), at };
-    else this.shown = { code: null, sentence: String(error), remedy: null, place: null, at };
+    else this.shown = { code: null, sentence: sentenceOf(error), remedy: null, place: null, at };
   }
 
   clear(): void {

@@ -1,6 +1,24 @@
 // Which view is shown: #/machine, #/help/E6070. The part behind the view is the view's own.
-export const views = ['machine', 'path', 'programs', 'tools', 'drives', 'history', 'help'] as const;
+export const views = [
+  'machine',
+  'path',
+  'programs',
+  'tools',
+  'drives',
+  'scope',
+  'history',
+  'help',
+] as const;
 export type View = (typeof views)[number];
+
+// What no address can mean is taken as it stands.
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
 
 class Route {
   view = $state<View>('machine');
@@ -9,7 +27,7 @@ class Route {
   read(hash: string): void {
     const [first, ...rest] = hash.replace(/^#?\/?/, '').split('/');
     this.view = views.find((one) => one === first) ?? 'machine';
-    this.rest = decodeURIComponent(rest.join('/'));
+    this.rest = decoded(rest.join('/'));
   }
 
   go(view: View, rest = ''): void {

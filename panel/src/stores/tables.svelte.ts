@@ -1,6 +1,8 @@
 // Tools and work offsets, and what this page changed of them, so that it can be taken back.
 import type { Result } from '../rpc/json_rpc';
 import type { Methods } from '../generated/client';
+import { t } from '../text/text';
+import { programNumber } from './format';
 import { store } from './machine.svelte';
 
 export type Tool = Result<'tool.list'>['tools'][number];
@@ -11,8 +13,13 @@ export interface Change {
   from: number;
   to: number;
   at: number;
-  undo: () => Promise<unknown>;
+  /** The value as the tables have it. */
+  now: () => number;
+  send: (value: number) => Promise<unknown>;
 }
+
+/** In the order of the numbers that G10 gives them. */
+export const offsetsOfG10 = 'G54 G55 G56 G57 G58 G59 G59.1 G59.2 G59.3'.split(' ');
 
 const changesKept = 100;
 
@@ -34,37 +41,47 @@ class Tables {
 
   async setTool(tool: Tool, key: ToolKey, value: number): Promise<void> {
     const { number, edge } = tool;
-    const send = (next: number): Promise<unknown> =>
-      store.call('tool.set', { number, edge, key, value: next }).then(() => this.read());
-    await send(value);
-    this.#remember(`T${number}.${edge} ${key}`, tool[key] ?? 0, value, send);
+    await this.#change({
+      what: `T${number}.${edge} ${key}`,
+      to: value,
+      now: () => this.tools?.find((one) => one.number === number && one.edge === edge)?.[key] ?? 0,
+      send: (next) => store.call('tool.set', { number, edge, key, value: next }),
+    });
   }
 
   async setOffset(offset: string, axis: string, value: number): Promise<void> {
-    const before = this.offsets[offset]?.[axis] ?? 0;
-    const send = (next: number): Promise<unknown> =>
-      store.call('offset.set', { offset, axis, value: next }).then(() => this.read());
-    await send(value);
-    this.#remember(`${offset} ${axis}`, before, value, send);
+    await this.#change({
+      what: `${offset} ${axis}`,
+      to: value,
+      now: () => this.offsets[offset]?.[axis] ?? 0,
+      send: (next) => store.call('offset.set', { offset, axis, value: next }),
+    });
   }
 
   /** Makes the point where the axes stand have this coordinate. */
   async touchOff(offset: string, word: string, value: number, channel: number): Promise<void> {
-    const index = Object.keys(this.offsets).indexOf(offset) + 1;
-    await store.call('mdi', { text: `G10 L20 P${index} ${word}${value}`, channel, wait: 'done' });
+    const number = offsetsOfG10.indexOf(offset) + 1;
+    const text = `G10 L20 P${number} ${word}${programNumber(value)}`;
+    await store.call('mdi', { text, channel, wait: 'done' });
     await this.read();
   }
 
+  /** Refused when somebody has changed the value since. */
   async undo(): Promise<void> {
     const [last, ...older] = this.changes;
     if (last === undefined) return;
-    await last.undo();
+    await this.read();
+    if (last.now() !== last.to) throw new Error(t('tables.changed_since', { what: last.what }));
+    await last.send(last.from);
     this.changes = older;
+    await this.read();
   }
 
-  #remember(what: string, from: number, to: number, send: (v: number) => Promise<unknown>): void {
-    const change = { what, from, to, at: Date.now(), undo: () => send(from) };
-    this.changes = [change, ...this.changes].slice(0, changesKept);
+  async #change(wanted: Omit<Change, 'from' | 'at'>): Promise<void> {
+    const from = wanted.now();
+    await wanted.send(wanted.to);
+    await this.read();
+    this.changes = [{ ...wanted, from, at: Date.now() }, ...this.changes].slice(0, changesKept);
   }
 }
 

@@ -9,6 +9,7 @@ const loaders: Record<View, () => Promise<{ default: Component }>> = {
   programs: () => import('./programs/ProgramsView.svelte'),
   tools: () => import('./tools/ToolsView.svelte'),
   drives: () => import('./drives/DrivesView.svelte'),
+  scope: () => import('./scope/ScopeView.svelte'),
   history: () => import('./history/HistoryView.svelte'),
   help: () => import('./help/HelpView.svelte'),
 };

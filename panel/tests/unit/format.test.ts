@@ -1,13 +1,30 @@
 // Numbers and times as they are shown, and the words for what a channel does.
 import { expect, test } from 'vitest';
 import { kindOfMark, progressOf, stateOf } from '../../src/stores/acts';
-import { bytes, duration, fixed, isRotary } from '../../src/stores/format';
+import { bytes, duration, fixed, isRotary, numberIn, programNumber } from '../../src/stores/format';
 import type { Channel } from '../../src/stores/machine.svelte';
 
 test('numbers have fixed decimals, a real minus and no negative zero', () => {
   expect(fixed(12.3456, 3)).toBe('12.346');
   expect(fixed(-0.5, 3)).toBe('\u22120.500');
   expect(fixed(-0.0001, 3)).toBe('0.000');
+});
+
+test('what a person writes is a number or none; an empty field is not zero', () => {
+  expect(['1', ' -2,5 ', '\u22120.5', '+.25', '3.'].map(numberIn)).toEqual([
+    1, -2.5, -0.5, 0.25, 3,
+  ]);
+  for (const none of ['', ' ', '1e3', '0x10', '1.2.3', '1,234.5', 'Infinity', 'abc', '-']) {
+    expect(numberIn(none)).toBeNull();
+  }
+});
+
+test('a number in a program has no exponent', () => {
+  expect(programNumber(1e-7)).toBe('0');
+  expect(programNumber(-12.5)).toBe('-12.5');
+  expect(programNumber(100)).toBe('100');
+  expect(programNumber(1e20)).toBe('100000000000000000000');
+  expect(programNumber(0.1 + 0.2)).toBe('0.3');
 });
 
 test('times and sizes', () => {

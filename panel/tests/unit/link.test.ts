@@ -2,7 +2,7 @@
 // are old within a second of silence, and it comes back by itself.
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { ownNumbers, Refusal } from '../../src/rpc/json_rpc';
-import { Link, silence_ms, type LinkState, type Socket } from '../../src/rpc/link';
+import { greeting_ms, Link, silence_ms, type LinkState, type Socket } from '../../src/rpc/link';
 
 class FakeSocket implements Socket {
   onopen: (() => void) | null = null;
@@ -118,6 +118,16 @@ test('a connection that stays silent is given up for a new one', async () => {
   await vi.advanceTimersByTimeAsync(5000);
   expect(sockets.length).toBeGreaterThan(1);
   expect(sockets[0]?.closed).toBe(true);
+});
+
+test('a connection that nobody greets is given up for a new one', async () => {
+  await vi.advanceTimersByTimeAsync(greeting_ms - 300);
+  expect(sockets).toHaveLength(1);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(sockets).toHaveLength(2);
+  expect(sockets[0]?.closed).toBe(true);
+  socket().say(hello);
+  expect(states.at(-1)).toBe('live');
 });
 
 test('what was asked fails when the connection goes, and is not asked again', async () => {

@@ -1,6 +1,8 @@
 // The pendant: one direction together with the enabling button, and nothing else.
-import { expect, test } from 'vitest';
-import { askedFor, type Buttons } from '../../src/stores/pendant';
+import { afterEach, expect, test, vi } from 'vitest';
+import { askedFor, watchPendants, type Buttons } from '../../src/stores/pendant';
+
+afterEach(() => vi.unstubAllGlobals());
 
 const pad = (...pressed: number[]): Buttons => ({
   buttons: Array.from({ length: 17 }, (_, i) => ({ pressed: pressed.includes(i) })),
@@ -20,4 +22,25 @@ test('several directions, or those of two controllers, are none', () => {
   expect(askedFor([pad(0, 15), pad(0, 12)])).toBeNull();
   expect(askedFor([pad(0), pad(15)])).toBeNull();
   expect(askedFor([{ buttons: [] }])).toBeNull();
+});
+
+test('what is down already when jogging is armed moves nothing until it was let go', () => {
+  let now = [pad(0, 15)];
+  let picture = (): void => undefined;
+  vi.stubGlobal('navigator', { getGamepads: () => now });
+  vi.stubGlobal('requestAnimationFrame', (look: () => void) => ((picture = look), 1));
+  vi.stubGlobal('cancelAnimationFrame', () => undefined);
+  const pressed: string[] = [];
+  const stop = watchPendants({
+    press: (word, direction) => pressed.push(`${word}${direction}`),
+    release: () => undefined,
+  });
+  picture();
+  expect(pressed).toEqual([]);
+  now = [pad(0)];
+  picture();
+  now = [pad(0, 15)];
+  picture();
+  expect(pressed).toEqual(['X1']);
+  stop();
 });

@@ -184,6 +184,9 @@ TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
     if (method.name != "program.write") std::ofstream(root.path() / "a.nc") << "M30\n";
     if (method.name == "program.remove") parameters["version"] = "any";
     if (method.name == "program.path") parameters.clear();
+    if (method.name == "scope.start") parameters["signals"] = "cycle.time";
+    if (parameters.contains("file") && method.name.starts_with("history."))
+      continue;  // no log here
     const auto slot = ask(std::string(method.name), parameters);
     while (method.action.empty() && method.name != "channel.control" && !slot->has_value())
       tick(1ms);                           // files are read in another thread
@@ -464,12 +467,22 @@ TEST_F(DispatchTest, LetsRolesGoDownOnly) {
   EXPECT_EQ(result("session.role", {{"role", "integrator"}, {"name", "Anna"}})["role"],
             "integrator");
   EXPECT_TRUE(session.peer.starts_with("Anna (")) << session.peer;
+  const std::string named = session.peer;
+  static_cast<void>(result("session.role", {{"role", "integrator"}, {"name", "Boris"}}));
+  EXPECT_EQ(session.peer, named) << "a browser could pretend to be somebody else";
   EXPECT_EQ(failure("session.role", {{"role", "integrator"}, {"name", "An\nna"}}).kind,
             FailureKind::invalid_parameters)
       << "would begin a line in the log";
   EXPECT_EQ(result("session.role", {{"role", "observer"}})["role"], "observer");
   EXPECT_EQ(result("session.role", {{"role", "operator"}})["role"], "observer");
   EXPECT_EQ(failure("program.hold").kind, FailureKind::not_permitted);
+}
+
+TEST_F(DispatchTest, OnlyLogsInTheirFolderHaveNames) {
+  for (const char* name : {"../run.lcm", "/etc/run.lcm", "a/run.lcm", "tables.toml", ".."}) {
+    EXPECT_EQ(failure("history.verify", {{"file", name}}).code, "E9021") << name;
+    EXPECT_EQ(failure("history.path", {{"file", name}}).code, "E9021") << name;
+  }
 }
 
 TEST_F(DispatchTest, NamesTheFirstChannelWhenNoneIsNamedAndNoneForTheMachine) {

@@ -47,7 +47,7 @@ TEST(OneTimeLinks, TheOldestIsForgottenFirst) {
 
 TEST(Sessions, EndWhenNobodyUsesThemAndAtACertainAge) {
   Sessions sessions;
-  const std::string secret = sessions.begin(visitor("anna"), start);
+  const std::string secret = sessions.begin(visitor("anna"), start).secret;
   EXPECT_EQ(sessions.find(secret, start)->visitor.name, "anna");
   EXPECT_FALSE(sessions.find(secret + 'x', start));
   auto now = start;
@@ -57,14 +57,27 @@ TEST(Sessions, EndWhenNobodyUsesThemAndAtACertainAge) {
   }
   EXPECT_FALSE(sessions.find(secret, start + Sessions::age_max + std::chrono::seconds(1)));
 
-  const std::string other = sessions.begin(visitor("boris"), start);
+  const std::string other = sessions.begin(visitor("boris"), start).secret;
   EXPECT_FALSE(sessions.find(other, start + Sessions::idle_max + std::chrono::seconds(1)));
+}
+
+TEST(Sessions, AnOpenPageIsUse) {
+  Sessions sessions;
+  const std::string secret = sessions.begin(visitor("anna"), start).secret;
+  const std::uint64_t id = sessions.find(secret, start)->id;
+  auto now = start;
+  for (int k = 0; k < 3; ++k) {
+    now += Sessions::idle_max - std::chrono::seconds(1);
+    sessions.note_use({id}, now);
+    EXPECT_TRUE(sessions.end_where([](const WebSession&) { return false; }, now).empty());
+  }
+  EXPECT_TRUE(sessions.find(secret, now));
 }
 
 TEST(Sessions, AreEndedByWhatTheyAreOf) {
   Sessions sessions;
-  const std::string anna = sessions.begin(visitor("anna"), start);
-  const std::string boris = sessions.begin(visitor("boris"), start);
+  const std::string anna = sessions.begin(visitor("anna"), start).secret;
+  const std::string boris = sessions.begin(visitor("boris"), start).secret;
   const auto ended = sessions.end_where(
       [](const WebSession& session) { return session.visitor.name == "anna"; }, start);
   EXPECT_EQ(ended.size(), 1U);
@@ -74,14 +87,18 @@ TEST(Sessions, AreEndedByWhatTheyAreOf) {
 
 TEST(Sessions, WhoHasBeenAwayLongestMakesRoom) {
   Sessions sessions;
-  const std::string away = sessions.begin(visitor("anna"), start);
-  const std::string here = sessions.begin(visitor("boris"), start);
+  const std::string away = sessions.begin(visitor("anna"), start).secret;
+  const std::uint64_t away_id = sessions.find(away, start)->id;
+  const std::string here = sessions.begin(visitor("boris"), start).secret;
+  std::optional<std::uint64_t> ended;
   auto now = start;
   for (std::size_t k = 2; k <= Sessions::sessions_max; ++k) {
     now += std::chrono::milliseconds(1);
     ASSERT_TRUE(sessions.find(here, now));
-    static_cast<void>(sessions.begin(visitor("carl"), now));
+    ended = sessions.begin(visitor("carl"), now).ended;
+    EXPECT_EQ(ended.has_value(), k == Sessions::sessions_max);
   }
+  EXPECT_EQ(ended, away_id) << "its pages are to be closed";
   EXPECT_FALSE(sessions.find(away, now));
   EXPECT_TRUE(sessions.find(here, now));
 }

@@ -1,5 +1,6 @@
-// The colours of the tokens, as the picture needs them: resolved for the theme that is shown.
+// The colours of the picture of a path.
 import type { Colours } from '../../geometry/path_scene';
+import { resolvedColours } from '../../style/resolved';
 
 const tokens: Record<keyof Colours, string> = {
   ground: '--raised',
@@ -10,13 +11,4 @@ const tokens: Record<keyof Colours, string> = {
   tool: '--attention',
 };
 
-export function coloursOf(place: HTMLElement): Colours {
-  const probe = document.createElement('span');
-  place.append(probe);
-  const resolved = Object.entries(tokens).map(([name, token]) => {
-    probe.style.color = `var(${token})`;
-    return [name, getComputedStyle(probe).color] as const;
-  });
-  probe.remove();
-  return Object.fromEntries(resolved) as unknown as Colours;
-}
+export const coloursOf = (place: HTMLElement): Colours => resolvedColours(place, tokens);

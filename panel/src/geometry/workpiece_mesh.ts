@@ -1,0 +1,123 @@
+// The part in the picture: triangles by bricks, in the colour of the tool that made them, cut open by a
+// plane where somebody wants to look inside.
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Group,
+  Mesh,
+  MeshLambertMaterial,
+  Plane,
+  Vector3,
+} from 'three';
+import { colourOfTool } from './tool_colours';
+
+export interface Section {
+  axis: 'X' | 'Y' | 'Z';
+  /** Where it cuts, from one end of the part to the other. */
+  part: number;
+}
+
+const normals = { X: [-1, 0, 0], Y: [0, 1, 0], Z: [0, 0, -1] } as const;
+
+export class WorkpieceMesh {
+  readonly group = new Group();
+  readonly #bricks = new Map<number, Mesh<BufferGeometry, MeshLambertMaterial>>();
+  readonly #material = new MeshLambertMaterial({
+    vertexColors: true,
+    flatShading: true,
+    side: DoubleSide,
+  });
+  readonly #plane = new Plane();
+  #section: Section | null = null;
+  #triangles = 0;
+
+  constructor(private readonly changed: () => void) {}
+
+  get triangles(): number {
+    return this.#triangles;
+  }
+
+  set(brick: number, corners: Float32Array, tools: Uint32Array): void {
+    this.#remove(brick);
+    if (tools.length > 0) this.#add(brick, corners, tools);
+    this.#cut();
+    this.changed();
+  }
+
+  clear(): void {
+    for (const brick of [...this.#bricks.keys()]) this.#remove(brick);
+    this.changed();
+  }
+
+  section(section: Section | null): void {
+    this.#section = section;
+    this.#cut();
+    this.changed();
+  }
+
+  bounds(): Box3 {
+    const box = new Box3();
+    for (const { geometry } of this.#bricks.values()) {
+      if (geometry.boundingBox !== null) box.union(geometry.boundingBox);
+    }
+    return box;
+  }
+
+  close(): void {
+    this.clear();
+    this.#material.dispose();
+  }
+
+  #add(brick: number, corners: Float32Array, tools: Uint32Array): void {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(corners, 3));
+    geometry.setAttribute('color', new BufferAttribute(coloursOf(tools), 3, true));
+    geometry.computeBoundingBox();
+    const mesh = new Mesh(geometry, this.#material);
+    this.#bricks.set(brick, mesh);
+    this.group.add(mesh);
+    this.#triangles += tools.length / 3;
+  }
+
+  #remove(brick: number): void {
+    const mesh = this.#bricks.get(brick);
+    if (mesh === undefined) return;
+    this.#triangles -= mesh.geometry.getAttribute('position').count / 3;
+    this.group.remove(mesh);
+    mesh.geometry.dispose();
+    this.#bricks.delete(brick);
+  }
+
+  // What lies on the side that looks at the usual view is left out.
+  #cut(): void {
+    const { clippingPlanes } = this.#material;
+    this.#material.clippingPlanes = this.#section === null ? [] : [this.#plane];
+    if (clippingPlanes?.length !== this.#material.clippingPlanes.length) {
+      this.#material.needsUpdate = true;
+    }
+    if (this.#section === null) return;
+    const { axis, part } = this.#section;
+    const { min, max } = this.bounds();
+    const place = new Vector3().lerpVectors(min, max, part);
+    this.#plane.setFromNormalAndCoplanarPoint(new Vector3(...normals[axis]), place);
+  }
+}
+
+function coloursOf(tools: Uint32Array): Uint8Array {
+  const colours = new Uint8Array(tools.length * 3);
+  const known = new Map<number, [number, number, number]>();
+  for (let i = 0; i < tools.length; ++i) {
+    const tool = tools[i] ?? 0;
+    let colour = known.get(tool);
+    if (colour === undefined) {
+      const { r, g, b } = new Color(colourOfTool(tool));
+      colour = [r * 255, g * 255, b * 255];
+      known.set(tool, colour);
+    }
+    colours.set(colour, 3 * i);
+  }
+  return colours;
+}

@@ -1,0 +1,92 @@
+// The workpiece of a channel while it is cut: triangles by bricks, of which only those that have changed
+// are asked for again. The triangles stay outside of what the framework watches.
+import { surfaceKind } from '../geometry/page_frame';
+import type { Result } from '../rpc/json_rpc';
+import { store } from './machine.svelte';
+import { PageFrames } from './page_frames';
+
+type Surface = Result<'workpiece.surface'>;
+
+/** What is said of a page of triangles besides the frame that they come in. */
+interface Geometry {
+  page: number;
+  /** Number of the brick, its first corner, and the one behind its last. */
+  bricks: [number, number, number][];
+}
+
+/** Who draws: three corners make a triangle, each with the number of the tool that made it. */
+export interface Shown {
+  set(brick: number, corners: Float32Array, tools: Uint32Array): void;
+  clear(): void;
+}
+
+const period_ms = 400;
+
+const pause = (time_ms: number): Promise<void> =>
+  new Promise((resolve) => setTimeout(resolve, time_ms));
+
+export class WorkpieceFollower {
+  /** Which workpiece of the channel is shown; 0: none has been announced. */
+  workpiece = $state(0);
+  /** Cycles that the daemon was too late for: the part may be behind the machine. */
+  leftOut = $state(0);
+  #since = 0;
+  readonly #frames = new PageFrames(surfaceKind);
+
+  constructor(private readonly shown: Shown) {}
+
+  /** Looks at the channel until the function that it gives back is called. */
+  follow(channel: number): () => void {
+    let isOver = false;
+    const stopFrames = this.#frames.listen();
+    const look = async (): Promise<void> => {
+      while (!isOver) {
+        if (store.live) await this.#look(channel, () => isOver).catch(() => (this.#since = 0));
+        await pause(period_ms);
+      }
+    };
+    // Later: who calls this from an effect must not depend on what it reads.
+    void Promise.resolve().then(look);
+    return () => {
+      isOver = true;
+      stopFrames();
+    };
+  }
+
+  // All pages of what has changed; the version of the first one is known then.
+  async #look(channel: number, isOver: () => boolean): Promise<void> {
+    let version: number | null = null;
+    let from: number | null = 0;
+    while (from !== null && !isOver()) {
+      const known = { workpiece: this.workpiece, since: this.#since };
+      const answer: Surface = await store.call('workpiece.surface', { channel, from, ...known });
+      if (answer.workpiece === null) return this.forget();
+      if (answer.workpiece !== this.workpiece) {
+        this.forget(answer.workpiece);
+        version = null;
+      } else if (known.since === 0 && from === 0) {
+        // All comes anew, but for bricks in which there is nothing any more.
+        this.shown.clear();
+      }
+      this.leftOut = answer.cycles_left_out;
+      version ??= answer.version;
+      await this.#show(answer.geometry as Geometry);
+      from = answer.next;
+    }
+    if (version !== null) this.#since = version;
+  }
+
+  async #show({ page, bricks }: Geometry): Promise<void> {
+    const { points, lines } = await this.#frames.next(page);
+    for (const [brick, first, behind] of bricks) {
+      this.shown.set(brick, points.slice(3 * first, 3 * behind), lines.slice(first, behind));
+    }
+  }
+
+  /** Shows nothing any more; all is asked for anew, of whatever workpiece there is. */
+  forget(next = 0): void {
+    this.shown.clear();
+    this.workpiece = next;
+    this.#since = 0;
+  }
+}

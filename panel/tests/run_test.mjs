@@ -1,0 +1,201 @@
+// A run looked at closely: the part while it is cut, and signals at the full cycle rate.
+//
+// With STANOK_WRITE_DOCS=1 it takes the pictures of docs/operator/panel-views.md, too.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before } from 'node:test';
+import { root, setStage, storyOf, until } from './stage.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const test = storyOf();
+const folder = mkdtempSync(join(tmpdir(), 'panel-run-'));
+// A plate of 60 x 40 x 12 mm: two tools, a pocket of three passes and a slot.
+const plate = `G21 G90 G17
+#workpiece (0, 0.5, 0, 60, 40, 12, 0, 0, 12)
+T1 M6
+M3 S3000
+G0 X-12 Y10 Z5
+G1 Z-3 F4000
+G1 X72 F2000
+G1 Y20
+G1 X-12
+G1 Y30
+G1 X72
+G0 Z5
+T2 M6
+G0 X30 Y-8
+G1 Z-8 F4000
+G1 Y48 F1500
+G0 Z5
+M5
+M30
+`;
+const tool = (number, radius) =>
+  `[[tool]]
+number = ${number}
+kind = "flat"
+radius = ${radius}
+length = 0.0
+overhang = 40.0
+`;
+const tables = tool(1, '5.0') + tool(2, '3.0');
+
+let stage;
+let page;
+const asked = [];
+const note = ({ payload }) => asked.push(/"method":"([^"]+)"/.exec(String(payload))?.[1]);
+before(async () => {
+  const program = join(folder, 'plate.nc');
+  writeFileSync(program, plate);
+  stage = await setStage({ machine: 'mill3.toml', programs: [program] });
+  await stage.client.call('tool.load', { tables });
+  await stage.switchOn();
+  const listen = (it) => it.on('websocket', (socket) => socket.on('framesent', note));
+  page = await stage.openMachine({ width: 1120, height: 700, before: listen });
+});
+after(async () => {
+  await stage?.close();
+  rmSync(folder, { recursive: true });
+  assert.deepEqual(stage.faults, []);
+});
+
+const show = (view) => page.evaluate((name) => (location.hash = `#/${name}`), view);
+const run = () => stage.client.call('program.run', { program: 'plate.nc', channel: 1 });
+const isOver = async () => (await stage.status()).program_status === 'Stopped';
+
+async function findings() {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => window.axe.run(document));
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' | ')}`);
+}
+
+async function picture(name) {
+  if (process.env.STANOK_WRITE_DOCS) {
+    await page.screenshot({ path: join(root, `docs/operator/pictures/panel-${name}.png`) });
+  }
+}
+
+test('what does not change is not asked for with every status', async () => {
+  await stage.client.call('mdi', { text: 'G53 G0 X-40', channel: 1, wait: 'done' });
+  await stage.client.call('mdi', { text: 'G53 G0 X0', channel: 1, wait: 'done' });
+  assert.ok(asked.filter((method) => method === 'kinematics.list').length <= 1, asked.join());
+});
+
+test('the part is seen while it is cut, in the colours of its tools', async () => {
+  await show('path');
+  await run();
+  const canvas = page.locator('canvas');
+  await until('the blank', async () => Number(await canvas.getAttribute('data-triangles')) > 0);
+  const tools = page.getByRole('list', { name: 'Surfaces by tool' });
+  await tools.getByText('T1').waitFor({ timeout: 60_000 });
+  await tools.getByText('T2').waitFor({ timeout: 60_000 });
+  assert.ok(await tools.getByText('blank').isVisible());
+  await until('the program is over', isOver, 90);
+});
+
+test('it can be cut open and put away', async () => {
+  const canvas = page.locator('canvas');
+  await page.getByLabel('Section').selectOption('X');
+  await page.getByLabel('Where the section is').fill('0.4');
+  assert.deepEqual(await findings(), []);
+  await picture('part');
+  await page.getByRole('button', { name: 'Part' }).click();
+  await until('nothing', async () => (await canvas.getAttribute('data-triangles')) === '0');
+  await page.getByRole('button', { name: 'Part' }).click();
+  await until('the part', async () => Number(await canvas.getAttribute('data-triangles')) > 0);
+});
+
+test('a log is verified and played, forward and backward', async () => {
+  await stage.client.call('log.stop');
+  await show('history');
+  await page
+    .getByRole('region', { name: 'Logs' })
+    .getByRole('button', { name: 'Verify' })
+    .first()
+    .click();
+  await page.getByText(/repeats to the bit/).waitFor({ timeout: 90_000 });
+  assert.deepEqual(await findings(), []);
+  await picture('history');
+  await page
+    .getByRole('region', { name: 'Logs' })
+    .getByRole('button', { name: 'Play' })
+    .first()
+    .click();
+  const time = page.getByLabel('Time in the log');
+  await time.waitFor();
+  await until(
+    'points',
+    async () => Number(await page.locator('canvas').getAttribute('data-points')) > 100,
+  );
+  const at = async () => Number(await time.inputValue());
+  await time.fill('8');
+  await page.getByRole('button', { name: 'Forward' }).click();
+  await until('it goes on', async () => (await at()) > 8.3);
+  await page.getByRole('button', { name: 'Backward' }).click();
+  const from = await at();
+  await until('it goes back', async () => (await at()) < from - 0.2);
+  await page.getByRole('button', { name: 'Stand' }).click();
+  assert.deepEqual(await findings(), []);
+  await picture('playback');
+  await page.getByRole('button', { name: 'Back to now' }).click();
+  await time.waitFor({ state: 'detached' });
+});
+
+test('the scope records every cycle from its start', async () => {
+  await show('scope');
+  await page.getByText('There is no recording').waitFor();
+  assert.deepEqual(await findings(), []);
+  await page.getByLabel('Length').selectOption('0.5 s');
+  await page.getByRole('button', { name: 'Record' }).click();
+  await page.getByText('complete').waitFor();
+  const samples = () => page.locator('canvas').getAttribute('data-samples');
+  await until('500 cycles', async () => (await samples()) === '500');
+});
+
+test('a block is a trigger; what was before it is there, too', async () => {
+  await page.getByLabel('Begins').selectOption('at a block');
+  await page.getByLabel('Line, channel 1').fill('7');
+  await page.getByLabel('Length').selectOption('2 s');
+  await page.getByRole('button', { name: 'Record' }).click();
+  await page.getByText('waits for its trigger').waitFor();
+  await run();
+  await page.getByText('complete').waitFor({ timeout: 60_000 });
+  const reading = await stage.client.call('scope.read', { from: 1_000_000 });
+  assert.equal(reading.cycles, 2000);
+  assert.equal(reading.trigger, 500);
+});
+
+test('cursors tell values and differences; the recording is a table', async () => {
+  await page.getByLabel('Cursor A').fill('500');
+  await page.getByLabel('Cursor B').fill('1500');
+  await page.getByText(/B − A: 1\.0000 s/).waitFor();
+  assert.deepEqual(await findings(), []);
+  await picture('scope');
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'CSV' }).click(),
+  ]);
+  const [head, ...rows] = readFileSync(await download.path(), 'utf8')
+    .trim()
+    .split('\n');
+  assert.equal(head, 'time (s),X.position (mm),X.velocity (mm/s),X.acceleration (mm/s2)');
+  assert.equal(rows.length, 2000);
+  assert.equal(rows[0].split(',')[0], '-0.500000');
+  const row = page.getByRole('row', { name: /X.position/ });
+  const shown = Number((await row.locator('td').first().innerText()).replace('\u2212', '-'));
+  assert.ok(Math.abs(shown - Number(rows[500].split(',')[1])) < 1e-4);
+  const [image] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'PNG' }).click(),
+  ]);
+  assert.equal(
+    readFileSync(await image.path())
+      .subarray(1, 4)
+      .toString(),
+    'PNG',
+  );
+  await until('the program is over', isOver, 90);
+});

@@ -1,0 +1,35 @@
+// The planned path is asked for again after a connection was lost in the middle of it.
+import { afterEach, expect, test, vi } from 'vitest';
+import { store, type Channel } from '../../src/stores/machine.svelte';
+import { PathFollower } from '../../src/stores/path.svelte';
+
+afterEach(() => {
+  vi.useRealTimers();
+  vi.restoreAllMocks();
+});
+
+test('a path that was interrupted is read from its beginning', async () => {
+  vi.useFakeTimers();
+  const pages: number[] = [];
+  let isLost = true;
+  vi.spyOn(store, 'call').mockImplementation(((_: string, params: { page: number }) => {
+    pages.push(params.page);
+    if (isLost && params.page === 1) return Promise.reject(new Error('lost'));
+    const geometry = { id: 3, page: params.page, rapid: [], begins: [] };
+    return Promise.resolve({
+      pages: 2,
+      complete: true,
+      geometry: params.page < 2 ? geometry : null,
+    });
+  }) as unknown as typeof store.call);
+  const channel = { id: 1, program: 'a.nc', scheme: 1, run: 1 } as Channel;
+  const follower = new PathFollower();
+  follower.follow(channel);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(pages).toEqual([0, 1]);
+  isLost = false;
+  await vi.advanceTimersByTimeAsync(5000);
+  follower.follow(channel);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(pages).toEqual([0, 1, 0, 1, 2]);
+});
