@@ -411,6 +411,10 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "lift the tool first, or program the move at feed",
      "correct the program and simulate it again"},
     {"W922", "the shank of a tool is in the material", Reaction::warning,
+    {"W913", "the grinding process is close to chatter", Reaction::warning,
+     "check stiffness, mass and damping before the margin falls below 1; a slower force law or a "
+     "larger removal_end is calmer",
+     "nothing needs to be done"},
      "take a tool with longer flutes, or less depth at a time",
      "correct the program and simulate it again"},
     {"W923", "the holder of a tool is in the material", Reaction::warning,
