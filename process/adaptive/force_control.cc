@@ -221,6 +221,8 @@ ForceSetpoint ForceControl::form_setpoint(const motion::CutState& cut) RT_SAFE {
       law_.advance({.cycle_s = cut.cycle_s,
                     .revolution_s = cut.rev_per_min > 0.0 ? s_per_min / cut.rev_per_min : 0.0,
                     .vibration = vibration,
+                    .sensed = {.amplitude_um = cut.vibration_um, .frequency_hz = cut.vibration_hz},
+                    .least_um = config_.vibration_release * amplifier_.level_um(),
                     .cuts = cuts_});
   events_.note(law_.event());
   status_.force_set_n = setpoint.mean_n;
@@ -256,7 +258,6 @@ void ForceControl::regulate(const motion::CutState& cut, const ForceSetpoint& se
   events_.set_overloaded(controller_.is_at_minimum());
 }
 
-}  // namespace stanok::process
 void ForceControl::watch_force(const motion::CutState& cut) RT_SAFE {
   const bool feeds =
       cut.is_controllable && cut.path_speed > 0.0 && cut.feed_override >= 1.0 && !cut.has_law;
@@ -269,3 +270,4 @@ void ForceControl::watch_force(const motion::CutState& cut) RT_SAFE {
   if (missing_.look(inputs, config_.air_time_s)) events_.note(ForceEvent::force_missing);
 }
 
+}  // namespace stanok::process
