@@ -10,7 +10,9 @@ namespace {
 // An amplitude stays within this part of itself; a law begins when it has stayed so long, or was
 // above the level so long.
 constexpr double steady_within = 0.03;
-constexpr double steady_to_begin_s = 0.3;
+constexpr double steady_to_begin_s = 0.5;
+// As the tool enters, the system bends, which a block of the meter shows as a vibration.
+constexpr double entry_s = 1.2;
 constexpr double above_to_begin_s = 1.5;
 // A steady vibration under a steady force; longer than the block of the meter.
 constexpr double steady_to_follow_s = 0.8;
@@ -59,7 +61,9 @@ Oscillation QuenchingLaw::wanted(double revolution_s) const RT_SAFE {
 }
 
 void QuenchingLaw::advance(const Inputs& inputs) RT_SAFE {
+  cutting_s_ = inputs.cuts ? cutting_s_ + inputs.cycle_s : 0.0;
   if (!inputs.cuts || !can_form()) return forget();
+  if (cutting_s_ < entry_s) return;
   is_on() ? follow(inputs) : begin(inputs);
 }
 

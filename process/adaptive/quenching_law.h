@@ -72,6 +72,7 @@ class QuenchingLaw {
   double frequency_hz_ = 0.0;
   Vibration self_;  // what the force is formed for; 0: nothing
   Steady steady_;
+  double cutting_s_ = 0.0;
   double above_s_ = 0.0;  // above the level without a law
   double quiet_s_ = 0.0;  // died out
   Response response_ = Response::not_seen;
