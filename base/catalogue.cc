@@ -392,6 +392,10 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"W614", "the force is above its setpoint at the lowest feed", Reaction::warning,
      "check whether the depth of cut is right, and the tool sharp",
      "the feed stays S_min; lower it if the process allows that"},
+    {"W615", "the tool feeds without the force that is set", Reaction::warning,
+     "check whether the tool is broken, whether there is a workpiece, and in process status the "
+     "idle power and S_max; air_time of [process] is the longest air cut",
+     "the feed goes on; hold it if the tool may be broken"},
     {"W710", "a program is not included", Reaction::warning,
      "#include it, so that it is checked when this program is loaded", "nothing needs to be done"},
     {"W720", "a recording is not complete", Reaction::warning,
@@ -418,6 +422,10 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "nothing needs to be done"},
     {"W912", "a step is left in the surface that a spark-out would remove", Reaction::warning,
      "let the wheel spark out, or take a lower last feed; roundness_max is the limit",
+     "nothing needs to be done"},
+    {"W913", "the grinding process is close to chatter", Reaction::warning,
+     "check stiffness, mass and damping before the margin falls below 1; a slower force law or a "
+     "larger removal_end is calmer",
      "nothing needs to be done"},
     {"W921", "a rapid traverse goes through material", Reaction::warning,
      "lift the tool first, or program the move at feed",

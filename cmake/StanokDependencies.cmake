@@ -41,3 +41,4 @@ stanok_dependency(zlib         PKGCONFIG zlib)
 stanok_dependency(modbus       PKGCONFIG libmodbus)
 stanok_dependency(tomlplusplus PKGCONFIG tomlplusplus)
 stanok_dependency(fast_float)
+stanok_dependency(kissfft)  # one header

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +20,7 @@
 #include "base/rt_safe.h"
 #include "drives/drive.h"
 #include "drives/signals.h"
-#include "drives/vibration.h"
+#include "drives/vibration_meter.h"
 
 namespace stanok::drives {
 
@@ -107,6 +108,14 @@ class DriveBus {
     static_cast<void>(sensor);
     static_cast<void>(samples_um);
     return 0;
+  }
+
+  // What the meter of a vibration sensor makes of its samples, not a number while none arrive;
+  // none: this bus has no such sensor.
+  [[nodiscard]] virtual std::optional<VibrationLevel> read_vibration_level(std::size_t sensor)
+      RT_SAFE {
+    static_cast<void>(sensor);
+    return std::nullopt;
   }
 
   [[nodiscard]] virtual BusStatus status() const = 0;

@@ -1,5 +1,4 @@
-// A vibration sensor that delivers blocks of samples: its place on the bus, and what a stretch of
-// samples says of level and frequency.
+// A vibration sensor that delivers blocks of samples: its place on the bus, and its new samples.
 //
 // The module keeps the newest samples in registers: first the count of samples taken so far (16
 // bits, overflowing), then `count` samples as 16-bit integers, the oldest first. All of it is read
@@ -48,32 +47,6 @@ class VibrationReader {
   std::uint64_t lost_ = 0;
   std::uint16_t seen_ = 0;
   bool has_seen_ = false;
-};
-
-struct VibrationLevel {
-  double amplitude_um = 0.0;  // of the sine of the same power
-  double frequency_hz = 0.0;
-};
-
-// Level and frequency of consecutive stretches of samples: the amplitude is sqrt(2) times the
-// standard deviation, the frequency that of the changes of sign about the mean, from the first to
-// the last of them, each placed between its samples. Allocates in its constructor only.
-class VibrationMeter {
- public:
-  VibrationMeter(double rate_hz, double stretch_s);
-
-  void add(std::span<const double> samples_um) RT_SAFE;
-  // The level of the last complete stretch; zeros before the first.
-  [[nodiscard]] const VibrationLevel& level() const RT_SAFE { return level_; }
-
- private:
-  void measure() RT_SAFE;
-  [[nodiscard]] double frequency(double mean) const RT_SAFE;
-
-  double rate_hz_;
-  std::vector<double> stretch_;
-  std::size_t count_ = 0;  // of its samples so far
-  VibrationLevel level_;
 };
 
 }  // namespace stanok::drives

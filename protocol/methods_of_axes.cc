@@ -63,7 +63,7 @@ constexpr auto axes_rows = std::to_array<Method>({
       "connections":"integer","exchanges":"integer","errors":"$counts",
       "round_trip_us":"$percentiles",
       "vibration":[{"sensor":"string","amplitude_um":"number","frequency_hz":"number",
-                    "samples":"integer","lost":"integer","errors":"integer"}],
+                    "synchronous_um":"number","samples":"integer","lost":"integer","errors":"integer"}],
       "axes":["$drive"]})"},
     {.name = "drive.reset",
      .role = machine_operator,

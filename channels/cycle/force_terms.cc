@@ -64,6 +64,9 @@ SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag, ChannelLo
     case ForceEvent::overload_at_feed_min:
       log.tell("W614", "the force is above its setpoint at S_min", tag);
       break;
+    case ForceEvent::force_missing:
+      log.tell("W615", "the tool feeds without the force that is set, longer than an air cut", tag);
+      break;
   }
   return SensorLoss::none;
 }

@@ -118,6 +118,10 @@ Expected<ProcessPreparation::Law, Diagnostic> ProcessPreparation::law_of(double 
   const bool is_modal = !of_block_.has_value();
   if (is_modal && (modal_.kind == lang::FeedLaw::Kind::off || modal_law_ != nullptr))
     return Law{modal_law_, modal_path_, true};
+  if (!is_modal && of_block_->kind == lang::FeedLaw::Kind::off) {
+    of_block_.reset();
+    return Law{};
+  }
   auto made = make_feed_law(is_modal ? modal_ : *of_block_,
                             {.block_mm = is_modal ? 0.0 : length, .increment_mm = increment_mm_});
   of_block_.reset();

@@ -1,5 +1,7 @@
 #include "config/files/chatter_file.h"
 
+#include "config/text/flat_file.h"
+
 namespace stanok::config {
 namespace {
 
@@ -84,19 +86,16 @@ void check_modes(const toml::table& table, const CuttingProcess& process, const 
 }  // namespace
 
 CuttingProcess read_chatter_file(const std::filesystem::path& file) {
-  FaultList faults;
   ChatterFile content;
-  const auto table = parse_file(file, faults);
-  faults.throw_if_any();
-  const Scope scope{faults, "cut"};
-  read_table(*table, chatter_keys(), content, scope);
   CuttingProcess& process = content.process;
-  process.kind = content.kind == "turning" ? CutKind::turning : CutKind::milling;
-  process.modes_x = read_modes(content.modes_x, scope.inner("[[mode_x]]"));
-  process.modes_y = read_modes(content.modes_y, scope.inner("[[mode_y]]"));
-  faults.throw_if_any();
-  check_modes(*table, process, scope);
-  faults.throw_if_any();
+  read_flat_file(file, chatter_keys(), "cut", content,
+                 [&](const toml::table& table, const Scope& scope) {
+                   process.kind = content.kind == "turning" ? CutKind::turning : CutKind::milling;
+                   process.modes_x = read_modes(content.modes_x, scope.inner("[[mode_x]]"));
+                   process.modes_y = read_modes(content.modes_y, scope.inner("[[mode_y]]"));
+                   scope.faults.throw_if_any();
+                   check_modes(table, process, scope);
+                 });
   process::engage(process,
                   content.sense == "up" ? process::MillingSense::up : process::MillingSense::down,
                   content.width);

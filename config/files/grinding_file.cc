@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/text/flat_file.h"
 #include "process/grinding/number_text.h"
 
 namespace stanok::config {
@@ -65,7 +66,8 @@ const Keys<GrindingFile>& grinding_keys() {
        "greatest infeed", from(1e-9, feed_max_mm_per_s),
        "1.3 times the steady feed at deflection_max"},
       {"spark_out", at<&F::request, &R::simulation, &PlungeOptions::spark_out_revolutions>,
-       optional, "rev", "revolutions of the part after the last X", from(0.0, 1000.0)},
+       optional, "rev", "revolutions of the part after the last X", from(0.0, 1000.0),
+       "0; as many as roundness_max needs where that is given"},
       {"wear_factor", at<&F::wear_factor>, optional, "mm/s",
        "factor w of the wear of the wheel, w Q^p", from(0.0, 1.0)},
       {"wear_exponent", at<&F::wear_exponent>, optional, "", "exponent p of the wear of the wheel",
@@ -112,19 +114,18 @@ void check_together(const toml::table& table, const DesignRequest& request, cons
 }  // namespace
 
 DesignRequest read_grinding_file(const std::filesystem::path& file) {
-  FaultList faults;
   GrindingFile content;
-  const auto table = parse_file(file, faults);
-  faults.throw_if_any();
-  const Scope scope{faults, "process"};
-  read_table(*table, grinding_keys(), content, scope);
   DesignRequest& request = content.request;
-  request.process.removal =
-      content.removal == "exact" ? process::RemovalForm::exact : process::RemovalForm::triangle;
-  check_ranges(*table, request.process, scope);
-  faults.throw_if_any();
-  check_together(*table, request, scope);
-  faults.throw_if_any();
+  read_flat_file(
+      file, grinding_keys(), "process", content, [&](const toml::table& table, const Scope& scope) {
+        request.process.removal = content.removal == "exact" ? process::RemovalForm::exact
+                                                             : process::RemovalForm::triangle;
+        check_ranges(table, request.process, scope);
+        scope.faults.throw_if_any();
+        check_together(table, request, scope);
+        if (request.limits.roundness_max_mm > 0.0 && !table.contains("spark_out"))
+          request.spark_out = process::SparkOut::found;
+      });
   if (content.wear_factor > 0.0) {
     request.simulation.wear_rate_mm_per_s = [w = content.wear_factor,
                                              p = content.wear_exponent](double removal) {

@@ -40,6 +40,18 @@ const Keys<ProcessFile>& process_keys() {
        "time in which the power must answer a change of the feed in the cut, beyond half a "
        "revolution and three lags; if it does not, the sensor counts as stuck",
        from(0.0, 10.0)},
+      {"air_time", at<&F::control, &C::air_time_s>, optional, "s",
+       "longest air cut at working feed: a force that is missing for longer, in the air or at "
+       "feed_max, is told (W615)",
+       positive},
+      {"lighter_max", at<&F::control, &C::lighter_max>, optional, "",
+       "part by which the cut may become lighter from its entry on; a power that shows more of it "
+       "counts as that of a sensor that has lost gain (A4011); 0: any",
+       from(0.0, 0.95)},
+      {"gaps_per_turn", at<&F::control, &C::gaps_per_turn>, optional, "",
+       "evenly spaced gaps of the workpiece, or teeth of the tool, in a turn of the spindle, where "
+       "cuts are interrupted; 0: they are looked for",
+       from(0, 8)},
       {"idle_settle", at<&F::control, &C::idle_settle_s>, optional, "s",
        "time at speed before the idle power is taken", not_negative},
       {"idle_capture", at<&F::control, &C::idle_capture_s>, optional, "s",

@@ -58,6 +58,7 @@ json vibration_of(const drives::VibrationStatus& status) {
   return {{"sensor", status.sensor},
           {"amplitude_um", status.level.amplitude_um},
           {"frequency_hz", status.level.frequency_hz},
+          {"synchronous_um", status.level.synchronous_um},
           {"samples", status.samples},
           {"lost", status.lost},
           {"errors", status.errors}};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/place.h"
 
 namespace stanok::drives {
 ModbusBus::ModbusBus(const BusConfig& config, Duration cycle)
@@ -22,10 +23,13 @@ ModbusBus::ModbusBus(const BusConfig& config, Duration cycle, std::unique_ptr<Mo
       signals_(config.signals, std::chrono::milliseconds{config.timeout_ms}) {
   STANOK_ASSERT(config.poll_ms > 0 && config.timeout_ms > 0 && cycle > Duration{});
   const BusTime timeout = std::chrono::milliseconds{config.timeout_ms};
-  for (const AxisDriveConfig& drive : drives_of(config))
-    drives_.emplace_back(drive, poll_, timeout);
+  const std::vector<AxisDriveConfig> drives = drives_of(config);
+  for (const AxisDriveConfig& drive : drives) drives_.emplace_back(drive, poll_, timeout);
   for (const VibrationSensorConfig& sensor : config.vibration_sensors) {
-    sensors_.emplace_back(sensor, timeout);
+    const auto drive = std::ranges::find(drives, sensor.spindle, &AxisDriveConfig::spindle);
+    sensors_.emplace_back(
+        sensor, timeout,
+        drive == drives.end() ? std::nullopt : std::optional(checked_size(drive - drives.begin())));
   }
 }
 
@@ -63,6 +67,11 @@ Signals ModbusBus::read_signals() RT_SAFE {
 
 std::size_t ModbusBus::read_vibration(std::size_t sensor, std::span<double> samples_um) RT_SAFE {
   return sensor < sensors_.size() ? sensors_[sensor].take_samples(samples_um) : 0;
+}
+
+std::optional<VibrationLevel> ModbusBus::read_vibration_level(std::size_t sensor) RT_SAFE {
+  if (sensor >= sensors_.size()) return std::nullopt;
+  return sensors_[sensor].level();
 }
 
 BusStatus ModbusBus::status() const {
@@ -183,9 +192,16 @@ void ModbusBus::poll_sensor(std::size_t place) {
   if (exchange(sensor.block(), sensor.patience())) {
     sensor.fail(clock_.now());
   } else {
-    sensor.take();
+    sensor.take(speed_at(sensor));
   }
   status_.tell_sensor(place, sensor);
+}
+
+// Measured, rev/min; 0: the drive of the spindle gives none.
+double ModbusBus::speed_at(const BusSensor& sensor) const {
+  if (!sensor.drive()) return 0.0;
+  const DriveFeedback& feedback = drives_[*sensor.drive()].exchange().feedback();
+  return feedback.valid ? feedback.velocity : 0.0;
 }
 
 std::optional<ExchangeError> ModbusBus::exchange(SignalBlock& block, Patience& patience) {

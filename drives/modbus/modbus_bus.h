@@ -48,6 +48,8 @@ class ModbusBus final : public DriveBus {
   [[nodiscard]] Signals read_signals() RT_SAFE override;
   [[nodiscard]] std::size_t read_vibration(std::size_t sensor, std::span<double> samples_um)
       RT_SAFE override;
+  [[nodiscard]] std::optional<VibrationLevel> read_vibration_level(std::size_t sensor)
+      RT_SAFE override;
   [[nodiscard]] BusStatus status() const override;
 
  private:
@@ -63,6 +65,7 @@ class ModbusBus final : public DriveBus {
   void poll_one(std::size_t place, TargetAge age);
   void poll_signals(TargetAge age);
   void poll_sensor(std::size_t place);
+  [[nodiscard]] double speed_at(const BusSensor& sensor) const;
   [[nodiscard]] std::optional<ExchangeError> exchange(SignalBlock& block, Patience& patience);
   [[nodiscard]] std::optional<ExchangeError> exchange(std::size_t place, TargetAge age);
   [[nodiscard]] std::optional<ExchangeError> carry_out(BusDrive& drive,

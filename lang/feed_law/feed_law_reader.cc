@@ -12,6 +12,9 @@ namespace {
 // The smallest step of feed: mm/min in G94, mm/rev in G95.
 constexpr double feed_step_per_minute = 0.1;
 constexpr double feed_step_per_revolution = 0.001;
+// The same where lengths are in inches: a step of 0.1 mm/min is no number of inches.
+constexpr double feed_step_inch_per_minute = 0.01;
+constexpr double feed_step_inch_per_revolution = 0.0001;
 
 }  // namespace
 
@@ -25,6 +28,12 @@ double LawReader::positive(LawAddress address) {
 double LawReader::step_of_feed() {
   const bool per_revolution = law_.feed_mode == FeedMode::per_revolution;
   const double step = feed(LawAddress::feed_step);
+  if (const double inch = around_.length_unit; inch != 1.0) {
+    check_grid(LawAddress::feed_step, step / inch,
+               per_revolution ? Grid{feed_step_inch_per_revolution, "in/rev", 1.0}
+                              : Grid{feed_step_inch_per_minute, "in/min", 1.0});
+    return step;
+  }
   check_grid(LawAddress::feed_step, step,
              per_revolution ? Grid{feed_step_per_revolution, "mm/rev"}
                             : Grid{feed_step_per_minute, "mm/min"});
@@ -57,7 +66,9 @@ void LawReader::check_grid(LawAddress address, double value, const Grid& grid) {
        text(address) + " is no multiple of " + law_number_text(grid.step) + " " + unit,
        law_number_text(value) + " " + unit,
        "the nearest is `" + std::string(name_of(address)) + "=" +
-           law_number_text(sign * nearest * grid.step / around_.length_unit) + "`");
+           law_number_text(sign * nearest * grid.step /
+                           (grid.unit_of_words > 0.0 ? grid.unit_of_words : around_.length_unit)) +
+           "`");
 }
 
 void LawReader::fail(std::string_view code, LawAddress address, std::string message,

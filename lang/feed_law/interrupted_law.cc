@@ -5,6 +5,12 @@
 namespace stanok::lang {
 
 void read_interrupted_law(LawReader& reader) {
+  // No way to stand for: no interruption, as the operator ends his.
+  if (reader.value(LawAddress::stand) == 0.0) {
+    static_cast<void>(reader.length(LawAddress::cut));
+    reader.law() = {};
+    return;
+  }
   reader.law().stand_mm = reader.length(LawAddress::stand);
   reader.law().cut_mm = reader.length(LawAddress::cut);
 }

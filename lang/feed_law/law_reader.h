@@ -55,6 +55,7 @@ class LawReader {
   struct Grid {
     double step = 0.0;  // in mm, mm/min or mm/rev; 0: any value will do
     std::string_view unit;
+    double unit_of_words = 0.0;  // of the words, in that unit; 0: the unit of length in mm
   };
 
   void check_grid(LawAddress address, double value, const Grid& grid);

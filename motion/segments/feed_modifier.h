@@ -73,6 +73,7 @@ enum class ForceEvent : std::uint8_t {
   frequency_shifted,    // of the oscillation, away from a multiple of the spindle's
   oscillation_limited,  // the force cannot swing as far as asked
   overload_at_feed_min,
+  force_missing,  // in the air, or too low at S_max, for longer than an air cut lasts
 };
 
 enum class ForceState : std::uint8_t {

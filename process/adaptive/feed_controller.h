@@ -23,6 +23,7 @@ struct FeedControllerInputs {
   bool may_rise = true;    // the power answers to the feed
   double feed_min = 0.0;   // clamps, mm per revolution
   double feed_max = 0.0;
+  double delay_s = 0.0;  // of the deviation, beyond chip and sensor
 };
 
 class FeedController {

@@ -15,10 +15,18 @@ using motion::ForceState;
 // The path goes at the feed asked for when it is this close to it.
 constexpr double follows_within = 0.05;
 
+// At S_max the force is too low when it is lower by this part of its setpoint.
+constexpr double low_part = 0.1;
+
 }  // namespace
 
 ForceControl::ForceControl(const ForceControlConfig& config)
-    : config_(config), compensator_(config), controller_(config), law_(config), watch_(config) {
+    : config_(config),
+      compensator_(config),
+      controller_(config),
+      law_(config),
+      watch_(config),
+      interruption_(config) {
   amplifier_.set_level(config.vibration_level_um);
 }
 
@@ -57,6 +65,8 @@ void ForceControl::switch_off() RT_SAFE {
   law_.set_mean(force_n);
   amplifier_.set_level(config_.vibration_level_um);
   feed_asked_ = 0.0;
+  interruption_ = InterruptedCut(config_);
+  missing_.reset();
   events_.tell_again();
 }
 
@@ -142,6 +152,7 @@ void ForceControl::watch_sensors(const motion::CutState& cut) RT_SAFE {
                    .speed_radius = computing_.omega * computing_.radius_mm,
                    .revolution_s = turns_per_s > 0.0 ? 1.0 / turns_per_s : 0.0,
                    .cuts = cuts_,
+                   .is_at_speed = cut.at_speed && compensator_.is_captured(),
                    .is_at_minimum = feed_asked_ <= status_.feed_min_per_s});
   if (trust == PowerTrust::good) return;
   status_.state = ForceState::fault;
@@ -169,10 +180,15 @@ motion::FeedDemand ForceControl::control(const motion::CutState& cut) RT_SAFE {
     return demand(0.0);
   }
   const double turns_per_s = cut.rev_per_min / s_per_min;
+  interruption_.follow({.cycle_s = cut.cycle_s,
+                        .turns_per_s = turns_per_s,
+                        .cutting_w = deviation_w(cut.power_w, status_.power_idle_w, 0.0),
+                        .feeds = cut.is_controllable && cut.path_speed > 0.0});
   cuts_ = is_cutting(cut);
   status_.state = cuts_ ? ForceState::regulating : ForceState::holding;
   const ForceSetpoint setpoint = form_setpoint(cut);
   if (turns_per_s > 0.0 && cut.is_controllable) regulate(cut, setpoint);
+  watch_force(cut);
   // Blocks 22 and 23.
   const double part =
       clock_part(computing_, computing_.power_w(setpoint.emphasised_n), setpoint.mean_n);
@@ -184,13 +200,15 @@ motion::FeedDemand ForceControl::control(const motion::CutState& cut) RT_SAFE {
                                        : code_of_program);
 }
 
-// At working feed, with power enough to be in the workpiece.
+// At working feed, with power enough to be in the workpiece, over a turn where the cut has gaps.
 bool ForceControl::is_cutting(const motion::CutState& cut) RT_SAFE {
   const double wanted_w = computing_.power_w(law_.mean_n());
   const double cutting_w = deviation_w(cut.power_w, status_.power_idle_w, 0.0);
+  const bool has_gaps = interruption_.is_interrupted();
+  const double over_turn_w = has_gaps ? interruption_.mean_w() : cutting_w;
   const bool cuts = cut.is_controllable && cut.path_speed > 0.0 && cut.rev_per_min > 0.0 &&
-                    wanted_w > config_.power_min_w && cutting_w > config_.air_part * wanted_w;
-  status_.force_n = cuts ? computing_.force_n(cutting_w) : 0.0;
+                    wanted_w > config_.power_min_w && over_turn_w > config_.air_part * wanted_w;
+  status_.force_n = cuts ? computing_.force_n(has_gaps ? interruption_.peak_w() : cutting_w) : 0.0;
   return cuts;
 }
 
@@ -203,6 +221,8 @@ ForceSetpoint ForceControl::form_setpoint(const motion::CutState& cut) RT_SAFE {
       law_.advance({.cycle_s = cut.cycle_s,
                     .revolution_s = cut.rev_per_min > 0.0 ? s_per_min / cut.rev_per_min : 0.0,
                     .vibration = vibration,
+                    .sensed = {.amplitude_um = cut.vibration_um, .frequency_hz = cut.vibration_hz},
+                    .least_um = config_.vibration_release * amplifier_.level_um(),
                     .cuts = cuts_});
   events_.note(law_.event());
   status_.force_set_n = setpoint.mean_n;
@@ -220,7 +240,9 @@ void ForceControl::regulate(const motion::CutState& cut, const ForceSetpoint& se
   if (!controller_.has_feed()) controller_.begin_with(cut.feed_programmed / turns_per_s);
   const double wanted_w = computing_.power_w(setpoint.sensed_n);
   const double mean_w = computing_.power_w(setpoint.mean_n);
-  const double deviation = deviation_w(cut.power_w, status_.power_idle_w, wanted_w);
+  const bool has_gaps = interruption_.is_interrupted();
+  const double deviation = has_gaps ? interruption_.peak_w() - mean_w
+                                    : deviation_w(cut.power_w, status_.power_idle_w, wanted_w);
   const double expected = cut.feed_override * feed_asked_;
   const bool follows = !cut.has_law && cut.feed_override >= 1.0 &&
                        std::abs(cut.path_speed - expected) <= follows_within * expected;
@@ -231,8 +253,21 @@ void ForceControl::regulate(const motion::CutState& cut, const ForceSetpoint& se
                        .follows = follows,
                        .may_rise = !watch_.is_suspicious(),
                        .feed_min = status_.feed_min_per_s / turns_per_s,
-                       .feed_max = status_.feed_max_per_s / turns_per_s});
+                       .feed_max = status_.feed_max_per_s / turns_per_s,
+                       .delay_s = has_gaps ? 1.0 / turns_per_s : 0.0});
   events_.set_overloaded(controller_.is_at_minimum());
+}
+
+void ForceControl::watch_force(const motion::CutState& cut) RT_SAFE {
+  const bool feeds =
+      cut.is_controllable && cut.path_speed > 0.0 && cut.feed_override >= 1.0 && !cut.has_law;
+  const bool is_too_low =
+      feed_asked_ >= status_.feed_max_per_s && status_.force_n < (1.0 - low_part) * law_.mean_n();
+  const MissingForce::Inputs inputs{.cycle_s = cut.cycle_s,
+                                    .is_rapid = cut.is_rapid,
+                                    .feeds = feeds,
+                                    .is_low = !cuts_ || is_too_low};
+  if (missing_.look(inputs, config_.air_time_s)) events_.note(ForceEvent::force_missing);
 }
 
 }  // namespace stanok::process

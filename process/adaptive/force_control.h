@@ -11,6 +11,8 @@
 #include "process/adaptive/force_control_config.h"
 #include "process/adaptive/force_events.h"
 #include "process/adaptive/idle_power_compensator.h"
+#include "process/adaptive/interrupted_cut.h"
+#include "process/adaptive/missing_force.h"
 #include "process/adaptive/power_correction.h"
 #include "process/adaptive/power_watch.h"
 #include "process/adaptive/radius_counter.h"
@@ -44,6 +46,7 @@ class ForceControl final : public motion::FeedModifier {
   [[nodiscard]] bool is_cutting(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] ForceSetpoint form_setpoint(const motion::CutState& cut) RT_SAFE;
   void regulate(const motion::CutState& cut, const ForceSetpoint& setpoint) RT_SAFE;
+  void watch_force(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] motion::FeedDemand demand(double feed_per_s) RT_SAFE;
 
   ForceControlConfig config_;
@@ -54,6 +57,8 @@ class ForceControl final : public motion::FeedModifier {
   VibrationAmplifier amplifier_;      // 17 to 20, 18 its level
   SetpointLaw law_;                   // 21
   PowerWatch watch_;
+  InterruptedCut interruption_;
+  MissingForce missing_;
 
   FeedClamps clamps_;
   double feed_asked_ = 0.0;  // in the cycle before, mm/s

@@ -19,6 +19,9 @@ struct ForceControlConfig {
   double power_min_w = 0.0;        // below it the power says nothing of the force
   double air_part = 0.1;           // of N_z: with less power the tool is in the air
   double power_answer_s = 0.3;     // to a change of the feed, beyond chip and lag
+  double air_time_s = 5.0;         // longest air cut: beyond it the missing force is told
+  double lighter_max = 0.0;        // part by which the cut may become lighter; 0: any
+  int gaps_per_turn = 0;           // of an interrupted cut; 0: they are looked for
   SensorFault on_sensor_fault = SensorFault::hold;
 
   // Feed controller, block 14.

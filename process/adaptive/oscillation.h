@@ -15,6 +15,11 @@
 
 namespace stanok::process {
 
+struct Oscillation {
+  double force_n = 0.0;  // amplitude; 0: none
+  double frequency_hz = 0.0;
+};
+
 // Equation (2), N; mass in kg, frequency in Hz.
 [[nodiscard]] double quenching_force_n(const Vibration& self_oscillation, double mass_kg,
                                        double frequency_hz) RT_SAFE;

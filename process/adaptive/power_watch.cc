@@ -10,6 +10,8 @@ namespace {
 // after a trial in vain; where it moves otherwise. What moves by the part of the tenth lives.
 constexpr double feed_change_first = 0.14;
 constexpr double feed_change_again = 0.03;
+// The first where the power only flickers: the force has risen by less than a tenth then.
+constexpr double flicker_change_first = 0.118;
 constexpr double feed_change_clear = 0.35;
 constexpr double feed_change = 0.1;
 constexpr int trials_max = 3;
@@ -45,6 +47,12 @@ constexpr double feed_rests = 0.001;
 // A change within this time is not made up for by the cut by chance.
 constexpr double quick_s = 0.15;
 
+// Of the idle power: less is drawn by no spindle at speed, however warm its bearings are.
+constexpr double idle_least_part = 0.7;
+// The engagement as the cut began follows what becomes heavier over this time.
+constexpr double engagement_s = 0.5;
+constexpr double smoothings_to_settle = 3.0;
+
 constexpr double least = 1e-9;
 
 double log_ratio(double value, double to) RT_SAFE {
@@ -56,13 +64,16 @@ double log_ratio(double value, double to) RT_SAFE {
 PowerTrust PowerWatch::look(const Inputs& inputs) RT_SAFE {
   if (!std::isfinite(inputs.power_w)) return PowerTrust::lost;
   count_.learn(inputs.power_w);
+  if (is_below_idle(inputs)) return PowerTrust::stuck;
   if (!inputs.cuts) {
     cutting_s_ = 0.0;
+    engagement_ = 0.0;
     trial_ = {};
     trials_ = 0;
     return PowerTrust::good;
   }
   follow(inputs);
+  if (is_too_light(inputs)) return PowerTrust::stuck;
   if (!count_.is_within_flicker(inputs.power_w, steady_w_)) {
     steady_w_ = inputs.power_w;
     steady_ = {.feed = inputs.feed_per_rev};
@@ -87,6 +98,25 @@ PowerTrust PowerWatch::look(const Inputs& inputs) RT_SAFE {
   }
   if (!trial_.is_on) begin_trial(inputs);
   return go_on_with_trial(inputs);
+}
+
+bool PowerWatch::is_below_idle(const Inputs& inputs) RT_SAFE {
+  const double lacking_w = idle_least_part * inputs.power_idle_w - inputs.power_w;
+  const bool is_below =
+      inputs.is_at_speed && lacking_w > SensorCount::flicker_counts * count_.count_w();
+  below_idle_s_ = is_below ? below_idle_s_ + inputs.cycle_s : 0.0;
+  return below_idle_s_ > lags * config_.power_lag_s + config_.power_answer_s;
+}
+
+bool PowerWatch::is_too_light(const Inputs& inputs) RT_SAFE {
+  const double settling_s = inputs.revolution_s + lags * config_.power_lag_s +
+                            smoothings_to_settle * SmoothedCut::smoothing_s;
+  if (config_.lighter_max <= 0.0 || cutting_s_ < settling_s) return false;
+  const double now = cut_.power_w() / std::max(cut_.demand(), least);
+  if (engagement_ == 0.0) engagement_ = now;
+  if (now > engagement_)
+    engagement_ += (now - engagement_) * (1.0 - std::exp(-inputs.cycle_s / engagement_s));
+  return now < (1.0 - config_.lighter_max) * engagement_;
 }
 
 void PowerWatch::follow(const Inputs& inputs) RT_SAFE {
@@ -153,8 +183,10 @@ bool PowerWatch::only_flickers(const Inputs& inputs) const RT_SAFE {
   constexpr double reserve = 1.2;
   const double flicker =
       reserve * SensorCount::flicker_counts * count_.count_w() / std::max(cut_.power_w(), least);
+  const double first = config_.feed_exponent * std::log1p(flicker_change_first);
   const double again = config_.feed_exponent * std::log1p(feed_change_again);
-  const double judged = trials_ == 0 ? change_judged() : std::max(again, flicker);
+  const double judged =
+      trials_ == 0 ? std::max(first, change_in_noise()) : std::max(again, flicker);
   const double change = config_.feed_exponent * log_ratio(inputs.feed_per_rev, steady_.feed);
   return std::abs(change) > judged;
 }
@@ -221,7 +253,10 @@ PowerTrust PowerWatch::go_on_with_trial(const Inputs& inputs) RT_SAFE {
   if (trial_.time_s < trial_.due_s) return PowerTrust::good;
   const bool is_clear =
       trial_.weight >= trials_max && (inputs.is_at_minimum || only_flickers(inputs));
-  const bool only_flickered = trials_ > 0 && only_flickers(inputs);
+  // One that stayed there while the feed stood is frozen: a cut that becomes lighter would show.
+  constexpr double frozen_counts = 2.0;
+  const bool is_frozen = trial_.most_w - trial_.least_w <= frozen_counts * count_.count_w();
+  const bool only_flickered = (trials_ > 0 || is_frozen) && only_flickers(inputs);
   ++trials_;
   if (trials_ >= trials_max || is_clear || only_flickered) return PowerTrust::stuck;
   refer(inputs);

@@ -11,9 +11,12 @@
 // that falls is never kept from falling, and is judged where it has come to rest.
 //
 // What is compared is smoothed alike, and the feed is delayed by the chip and the lag of the
-// sensor. The more the power is noisy the more the feed must have changed. In the air, where
-// nothing answers, nothing is judged. Owned by the force control of a channel, in the cycle;
-// allocates nothing.
+// sensor. A power that stays below a part of the idle power shows a gain that is lost, in the air
+// and in the cut; where the machine file says by how much a cut may become lighter (`lighter_max`),
+// so does a power that falls by more of what the feed demands: by the power alone a lost gain and a
+// lighter cut are the same. The more the power is noisy the more the feed must have changed. In the
+// air, where nothing answers, nothing is judged. Owned by the force control of a channel, in the
+// cycle; allocates nothing.
 #pragma once
 
 #include "base/rt_safe.h"
@@ -40,6 +43,7 @@ class PowerWatch {
     double speed_radius = 1.0;
     double revolution_s = 0.1;
     bool cuts = false;
+    bool is_at_speed = false;    // of the spindle, as long as it takes the sensor to show it
     bool is_at_minimum = false;  // the feed is S_min
   };
   [[nodiscard]] PowerTrust look(const Inputs& inputs) RT_SAFE;
@@ -69,6 +73,8 @@ class PowerWatch {
     double most_w = 0.0;
   };
 
+  [[nodiscard]] bool is_below_idle(const Inputs& inputs) RT_SAFE;
+  [[nodiscard]] bool is_too_light(const Inputs& inputs) RT_SAFE;
   void follow(const Inputs& inputs) RT_SAFE;
   void refer(const Inputs& inputs) RT_SAFE;
   [[nodiscard]] bool lives() const RT_SAFE;
@@ -94,6 +100,8 @@ class PowerWatch {
   int trials_ = 0;           // in vain, one after the other
   Since chain_;              // the feed before the first of them, and since it has left that
   double rate_per_s_ = 0.0;  // at which the feed rose, of the ln of its demand
+  double below_idle_s_ = 0.0;
+  double engagement_ = 0.0;  // power over demand, as the cut began; 0: not yet known
 };
 
 }  // namespace stanok::process

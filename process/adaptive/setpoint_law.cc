@@ -10,10 +10,6 @@ namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
-// The amplitude of a self-oscillation has settled when it stays this close for this long.
-constexpr double settled_within = 0.03;
-constexpr double settling_s = 0.3;
-
 // The feed swings by no more than this part of itself: it must not come to rest.
 constexpr double feed_swing_max = 0.9;
 
@@ -25,17 +21,23 @@ void SetpointLaw::set_programmed(const Oscillation& oscillation) RT_SAFE {
 }
 
 void SetpointLaw::set_automatic(double mass_kg, double frequency_hz) RT_SAFE {
-  mass_kg_ = mass_kg;
-  automatic_hz_ = frequency_hz;
-  has_automatic_ = false;
-  settled_s_ = 0.0;
+  quenching_.set(mass_kg, frequency_hz);
   was_shifted_ = was_limited_ = false;
 }
 
 ForceSetpoint SetpointLaw::advance(const Inputs& inputs) RT_SAFE {
   event_ = motion::ForceEvent::none;
-  watch(inputs);
-  form(has_automatic_ ? automatic_ : programmed_, inputs.revolution_s);
+  const bool was_on = quenching_.is_on();
+  quenching_.advance({.cycle_s = inputs.cycle_s,
+                      .revolution_s = inputs.revolution_s,
+                      .above = inputs.vibration,
+                      .sensed = inputs.sensed,
+                      .least_um = inputs.least_um,
+                      .formed = formed_,
+                      .cuts = inputs.cuts});
+  if (quenching_.is_on() && !was_on) phase_ = 0.0;
+  form(quenching_.is_on() ? quenching_.wanted(inputs.revolution_s) : programmed_,
+       inputs.revolution_s);
   if (formed_.force_n <= 0.0 || !inputs.cuts) return {mean_n_, mean_n_, mean_n_, mean_n_};
   phase_ = std::fmod(phase_ + full_turn * formed_.frequency_hz * inputs.cycle_s, full_turn);
   const double swing = formed_.force_n * std::sin(phase_);
@@ -52,29 +54,6 @@ double SetpointLaw::sensed_swing(double revolution_s) const RT_SAFE {
   const double sign = std::sin(turn_angle) < 0.0 ? -1.0 : 1.0;
   const double lag = std::atan(full_turn * formed_.frequency_hz * config_.power_lag_s);
   return sign * formed_.force_n * std::cos(lag) * std::sin(phase_ - turn_angle - lag);
-}
-
-// Forms the automatic oscillation once, from a vibration that has settled above its level.
-void SetpointLaw::watch(const Inputs& inputs) RT_SAFE {
-  if (!inputs.cuts || !can_form()) {
-    has_automatic_ = false;
-    settled_s_ = 0.0;
-    return;
-  }
-  if (has_automatic_) return;
-  const Vibration& vibration = inputs.vibration;
-  const bool stays =
-      vibration.amplitude_um > 0.0 && std::abs(vibration.amplitude_um - settling_.amplitude_um) <=
-                                          settled_within * settling_.amplitude_um;
-  settled_s_ = stays ? settled_s_ + inputs.cycle_s : 0.0;
-  if (!stays) settling_ = vibration;
-  if (settled_s_ < settling_s) return;
-  const double frequency = formable_frequency(automatic_hz_, inputs.revolution_s);
-  automatic_ = {
-      .force_n = config_.oscillation_reserve * quenching_force_n(vibration, mass_kg_, frequency),
-      .frequency_hz = automatic_hz_};
-  has_automatic_ = true;
-  phase_ = 0.0;
 }
 
 // What can be formed of the oscillation at this speed of the spindle.

@@ -1,23 +1,17 @@
 // SetpointLaw, block 21: the setpoint of the cutting force over time.
 //
-// Constant; with an oscillation that the program commands; or with one that is formed from the
-// vibration as soon as that has settled above its level. A formed oscillation stays as it is until
-// the cut ends: it quenches what it was formed from. For the feed ahead (blocks 12 and 22) the
-// oscillation is emphasised by what chip thickness, force exponent and feed drives take away from
-// it. Real-time.
+// Constant; with an oscillation that the program commands; or with one that follows the vibration
+// that is there (quenching_law.h). For the feed ahead (blocks 12 and 22) the oscillation is
+// emphasised by what chip thickness, force exponent and feed drives take away from it. Real-time.
 #pragma once
 
 #include "base/rt_safe.h"
 #include "motion/segments/feed_modifier.h"
 #include "process/adaptive/force_control_config.h"
+#include "process/adaptive/quenching_law.h"
 #include "process/adaptive/vibration_amplifier.h"
 
 namespace stanok::process {
-
-struct Oscillation {
-  double force_n = 0.0;  // amplitude; 0: none
-  double frequency_hz = 0.0;
-};
 
 struct ForceSetpoint {
   double mean_n = 0.0;
@@ -28,20 +22,23 @@ struct ForceSetpoint {
 
 class SetpointLaw {
  public:
-  explicit SetpointLaw(const ForceControlConfig& config) : config_(config) { set_mean(0.0); }
+  explicit SetpointLaw(const ForceControlConfig& config)
+      : config_(config), quenching_(config.oscillation_reserve) {}
 
   void set_mean(double force_n) RT_SAFE { mean_n_ = force_n; }
   [[nodiscard]] double mean_n() const RT_SAFE { return mean_n_; }
   void set_programmed(const Oscillation& oscillation) RT_SAFE;
   // Automatic oscillation of this frequency, for this reduced mass; 0: none is formed.
   void set_automatic(double mass_kg, double frequency_hz) RT_SAFE;
-  [[nodiscard]] bool can_form() const RT_SAFE { return mass_kg_ > 0.0 && automatic_hz_ > 0.0; }
-  [[nodiscard]] double mass_kg() const RT_SAFE { return mass_kg_; }
+  [[nodiscard]] bool can_form() const RT_SAFE { return quenching_.can_form(); }
+  [[nodiscard]] double mass_kg() const RT_SAFE { return quenching_.mass_kg(); }
 
   struct Inputs {
     double cycle_s = 0.001;
     double revolution_s = 0.1;
-    Vibration vibration{};
+    Vibration vibration{};  // behind the dead zone
+    Vibration sensed{};     // in front of it
+    double least_um = 0.0;  // below it a vibration needs no oscillation
     bool cuts = false;
   };
   [[nodiscard]] ForceSetpoint advance(const Inputs& inputs) RT_SAFE;
@@ -53,19 +50,12 @@ class SetpointLaw {
 
  private:
   [[nodiscard]] double sensed_swing(double revolution_s) const RT_SAFE;
-  void watch(const Inputs& inputs) RT_SAFE;
   void form(const Oscillation& wanted, double revolution_s) RT_SAFE;
 
   ForceControlConfig config_;
   double mean_n_ = 0.0;
   Oscillation programmed_;
-  double mass_kg_ = 0.0;
-  double automatic_hz_ = 0.0;
-
-  Vibration settling_;      // amplitude about which the vibration is watched
-  double settled_s_ = 0.0;  // that it stays there
-  bool has_automatic_ = false;
-  Oscillation automatic_;
+  QuenchingLaw quenching_;
 
   Oscillation formed_;
   double emphasis_ = 1.0;

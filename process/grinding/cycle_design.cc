@@ -80,6 +80,26 @@ void check_stability(const DesignRequest& request, Findings& findings) {
                                    rounded_text(margin, 3) + " of what holds the thinnest layer"});
 }
 
+// The table again for the spark-out that its roundness needs: what the spring gives back is not
+// fed. Where none is long enough the table stays, and its verification says so.
+CycleDesign with_spark_out(const DesignRequest& request, InfeedLaw law) {
+  DesignRequest found = request;
+  found.spark_out = SparkOut::given;
+  PlungeOptions simulation = request.simulation;
+  simulation.at_end = InfeedTravel::AtEnd::stands;
+  simulation.spark_out_revolutions = 0.0;
+  const double roundness_mm = request.limits.roundness_max_mm;
+  const bool is_round =
+      simulate_plunge(request.process, law, simulation).out_of_roundness_mm() <= roundness_mm;
+  const auto needed = is_round ? std::optional(0)
+                               : spark_out_needed(request.process, law, simulation, roundness_mm);
+  found.simulation.spark_out_revolutions = needed.value_or(0);
+  if (needed.value_or(0) == 0) return assessed_cycle(found, std::move(law));
+  Staircase staircase = design_staircase(found.process, found.allowance_mm, feeds_of(found),
+                                         found.staircase, found.simulation);
+  return assessed_cycle(found, std::move(staircase.law));
+}
+
 bool chatters(const Verification& verification) {
   return std::ranges::any_of(verification.findings,
                              [](const Finding& finding) { return finding.code == "E9105"; });
@@ -115,6 +135,7 @@ CycleDesign assessed_cycle(const DesignRequest& request, InfeedLaw law) {
   const double allowance_mm = request.allowance_mm;
   CycleDesign design;
   design.law = std::move(law);
+  design.spark_out_revolutions = request.simulation.spark_out_revolutions;
   design.verification = verify_cycle(process, design.law, request.simulation, request.limits);
   design.least_time_s = least_time_s(process, allowance_mm);
   design.constant_safe_time_s = constant_safe_time_s(process, allowance_mm);
@@ -135,7 +156,9 @@ Expected<CycleDesign, Findings> design_cycle(const DesignRequest& request) {
     return Unexpected<Findings>({{"E9106", "the size is not reached within time_max, " +
                                                number_text(request.simulation.time_max_s) + " s"}});
   }
-  return assessed_cycle(request, std::move(staircase.law));
+  if (request.spark_out == SparkOut::given)
+    return assessed_cycle(request, std::move(staircase.law));
+  return with_spark_out(request, std::move(staircase.law));
 }
 
 }  // namespace stanok::process

@@ -18,6 +18,9 @@ namespace stanok::process {
 // studies of many designs.
 enum class Comparison { full, none };
 
+// The length of the spark-out: as `simulation` has it, or the least that `roundness_max` needs.
+enum class SparkOut { given, found };
+
 struct DesignRequest {
   GrindingProcess process;
   double allowance_mm = 0.0;  // per side
@@ -27,11 +30,13 @@ struct DesignRequest {
   PlungeOptions simulation{.time_max_s = 600.0};
   VerificationLimits limits;
   Comparison comparison = Comparison::full;
+  SparkOut spark_out = SparkOut::given;
 };
 
 // A cycle and what it is worth.
 struct CycleDesign {
   InfeedLaw law;
+  double spark_out_revolutions = 0.0;
   Verification verification;
   double least_time_s = 0.0;
   double constant_safe_time_s = 0.0;

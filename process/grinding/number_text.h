@@ -5,7 +5,8 @@
 
 namespace stanok::process {
 
-// The shortest text without an exponent that reads back to the same bits: "25000000", "0.56".
+// The shortest text that reads back to the same bits, without an exponent where people would write
+// none: "25000000", "0.56", "1e+308".
 [[nodiscard]] std::string number_text(double value);
 
 // With at least `decimals` digits behind the point, more where the value has them: "30.0",

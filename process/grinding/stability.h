@@ -13,4 +13,10 @@ namespace stanok::process {
 // 2 C zeta (1 + zeta) over the stiffness of the cut at Q_end; below 1 waves grow.
 [[nodiscard]] double stability_margin(const GrindingProcess& process);
 
+// By how much the wave that grows most is higher after a revolution; below 1 all of them die out.
+// With m s^2 + b s + C + k (1 - e^(-s tau)) = 0 for a wave e^(s t) it is
+// |e^(s tau)| = 1 / |1 + (C + b s + m s^2) / k|, greatest over the frequencies: many of them fit
+// into a revolution, so that none misses it by much.
+[[nodiscard]] double wave_growth(const GrindingProcess& process);
+
 }  // namespace stanok::process

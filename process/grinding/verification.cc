@@ -80,22 +80,30 @@ void judge_end(const Verification& verification, const VerificationLimits& limit
 }
 
 void judge_stability(const GrindingProcess& process, const PlungeRun& run, Findings& findings) {
+  constexpr double margin_safe = 1.3;
   const double margin = stability_margin(process);
-  if (margin >= 1.0) return;
+  if (margin >= margin_safe) return;
+  const std::string growth =
+      "waves become " + times_text(wave_growth(process)) + " as high with each revolution";
+  if (margin >= 1.0) {
+    findings.push_back({"W913", "the cut is close to chatter: the stability margin is " +
+                                    rounded_text(margin, 3) + "; " + growth});
+    return;
+  }
   if (run.contact_losses == 0) {
     findings.push_back({"E9109", "the cut is not stable: the stability margin is " +
-                                     rounded_text(margin, 3) +
-                                     "; below 1 waves grow from turn to turn"});
+                                     rounded_text(margin, 3) + "; " + growth});
     return;
   }
   findings.push_back({"E9105", "the cut chatters: the wheel leaves the part " +
                                    std::to_string(run.contact_losses) +
                                    " times; the system has only " + rounded_text(margin, 3) +
-                                   " of the stiffness and damping that hold the thinnest layer"});
+                                   " of the stiffness and damping that hold the thinnest layer; " +
+                                   growth});
 }
 
-// How long the wheel has to stand until the step of the spiral is as low as that; none: not within
-// the longest spark-out that is usual.
+}  // namespace
+
 std::optional<int> spark_out_needed(const GrindingProcess& process, const InfeedLaw& law,
                                     const PlungeOptions& simulation, double roundness_mm) {
   constexpr int revolutions_max = 40;
@@ -107,6 +115,8 @@ std::optional<int> spark_out_needed(const GrindingProcess& process, const Infeed
   }
   return std::nullopt;
 }
+
+namespace {
 
 // Where no roundness is asked for, a step beyond the tolerance of the size is told all the same.
 void judge_roundness(const GrindingProcess& process, const InfeedLaw& law,

@@ -50,6 +50,13 @@ struct Verification {
   Findings findings;
 };
 
+// How many revolutions the wheel has to stand at the last X until the step of the spiral is as low
+// as that; none: not within 40.
+[[nodiscard]] std::optional<int> spark_out_needed(const GrindingProcess& process,
+                                                  const InfeedLaw& law,
+                                                  const PlungeOptions& simulation,
+                                                  double roundness_mm);
+
 [[nodiscard]] Verification verify_cycle(const GrindingProcess& process, const InfeedLaw& law,
                                         const PlungeOptions& simulation,
                                         const VerificationLimits& limits);

@@ -340,7 +340,7 @@ class ScriptText {
     Range values;
     for (const TimePoint& point : panel.line.series->points()) values.include(point.value);
     const std::string peak =
-        "peak " + rounded(std::max(-values.low, values.high)) + " " + panel.unit;
+        "peak " + rounded(std::max({0.0, -values.low, values.high})) + " " + panel.unit;
     if (panel.behind.series != nullptr) {
       for (const TimePoint& point : panel.behind.series->points()) values.include(point.value);
     }

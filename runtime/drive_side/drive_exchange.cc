@@ -70,6 +70,7 @@ DriveExchange::DriveExchange(const channels::MachineConfig& machine,
                                 std::to_string(drives_of_machine_max) + " drives");
   }
   find_spindle_drives();
+  find_vibration_sensors(config);
 }
 
 void DriveExchange::find_spindle_drives() {
@@ -82,6 +83,17 @@ void DriveExchange::find_spindle_drives() {
       if (drives_[k].spindle == spindle.id) drive = k;
     }
     spindle_drives_.push_back(drive);
+  }
+}
+
+void DriveExchange::find_vibration_sensors(const drives::BusConfig& config) {
+  for (const channels::SpindleConfig& spindle : machine_.spindles) {
+    const auto sensor = std::ranges::find(config.vibration_sensors, spindle.id,
+                                          &drives::VibrationSensorConfig::spindle);
+    vibration_sensors_.push_back(
+        sensor == config.vibration_sensors.end()
+            ? std::nullopt
+            : std::optional(checked_size(sensor - config.vibration_sensors.begin())));
   }
 }
 
@@ -99,11 +111,19 @@ void DriveExchange::take_feedback() RT_SAFE {
 std::span<const channels::SpindleSensors> DriveExchange::sensors() RT_SAFE {
   for (std::size_t s = 0; s < sensors_.size(); ++s) {
     sensors_[s] = {};
-    if (!spindle_drives_[s]) continue;
-    const drives::DriveFeedback& raw = raw_feedback_[*spindle_drives_[s]];
-    if (!raw.valid) continue;
-    sensors_[s] = {
-        .power_w = raw.power_w, .vibration_um = raw.vibration_um, .vibration_hz = raw.vibration_hz};
+    if (spindle_drives_[s]) {
+      const drives::DriveFeedback& raw = raw_feedback_[*spindle_drives_[s]];
+      if (raw.valid) {
+        sensors_[s] = {.power_w = raw.power_w,
+                       .vibration_um = raw.vibration_um,
+                       .vibration_hz = raw.vibration_hz};
+      }
+    }
+    if (!vibration_sensors_[s]) continue;
+    const auto level = bus_.read_vibration_level(*vibration_sensors_[s]);
+    if (!level) continue;
+    sensors_[s].vibration_um = level->amplitude_um;
+    sensors_[s].vibration_hz = level->frequency_hz;
   }
   return sensors_;
 }

@@ -49,6 +49,7 @@ class DriveExchange {
 
  private:
   void find_spindle_drives();
+  void find_vibration_sensors(const drives::BusConfig& config);
   void take_feedback() RT_SAFE;
   void turn_spindles(const channels::CycleOutput& output) RT_SAFE;
   void note_fault_resets(std::span<const channels::OperatorEvent> events) RT_SAFE;
@@ -65,6 +66,7 @@ class DriveExchange {
   NumberedArray<drives::DriveTarget, drives_of_machine_max> targets_{};
   std::vector<channels::SpindleSensors> sensors_;
   std::vector<std::optional<std::size_t>> spindle_drives_;
+  std::vector<std::optional<std::size_t>> vibration_sensors_;             // of each spindle
   std::array<std::atomic<bool>, drives_of_machine_max> reset_demands_{};  // of operators
   std::array<int, drives_of_machine_max> fault_reset_cycles_{};  // still to go with the demand
   int reset_cycles_ = 0;

@@ -10,8 +10,6 @@
 namespace stanok::runtime {
 namespace {
 
-constexpr double stretch_s = 0.25;  // of the vibration, in which it is measured
-
 const channels::ChannelConfig& channel_of(const config::MachineFile& file) {
   const auto& channels = file.machine.channels;
   const int id = file.simulation.cutting.channel;
@@ -44,7 +42,7 @@ ProcessPlant::ProcessPlant(const config::MachineFile& file)
           1, file.simulation.cutting.sample_ms * 1000 / file.machine.cycle_us)),
       cut_(file.simulation.cutting),
       motor_(motor_of(spindle_of(file))),
-      meter_(plant::CuttingProcess::vibration_samples / cycle_s_, stretch_s),
+      meter_(plant::CuttingProcess::vibration_samples / cycle_s_),
       sensors_(file.machine.spindles.size()) {
   const channels::ChannelConfig& channel = channel_of(file);
   channel_ = checked_size(&channel - file.machine.channels.data());
@@ -60,7 +58,8 @@ void ProcessPlant::advance(const channels::CycleOutput& output) RT_SAFE {
   cut_.advance({.x_mm = channel.point_W[x_].value, .z_mm = channel.point_W[z_].value}, speed,
                cycle_s_);
   motor_.follow({.velocity = speed}, cycle_s_);
-  meter_.add(cut_.vibration_um());
+  meter_.add(cut_.vibration_um(), speed);
+  static_cast<void>(meter_.work());
   // The sensor's lag, as an exact step of its first order.
   const double part = power_lag_s_ > 0.0 ? 1.0 - std::exp(-cycle_s_ / power_lag_s_) : 1.0;
   power_w_ += part * (cut_.power_w() - power_w_);

@@ -12,7 +12,7 @@
 #include "base/axis_index.h"
 #include "channels/machine/machine.h"
 #include "config/files/machine_file.h"
-#include "drives/vibration.h"
+#include "drives/vibration_meter.h"
 #include "plant/cutting/cutting_process.h"
 #include "plant/drive/simulated_drive.h"
 #include "plant/mechanics/spindle_plant.h"

@@ -156,7 +156,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Told{ForceEvent::vibration_lost, "W611", false, false},
                       Told{ForceEvent::frequency_shifted, "W612", false, false},
                       Told{ForceEvent::oscillation_limited, "W613", false, false},
-                      Told{ForceEvent::overload_at_feed_min, "W614", false, false}),
+                      Told{ForceEvent::overload_at_feed_min, "W614", false, false},
+                      Told{ForceEvent::force_missing, "W615", false, false}),
     [](const auto& test) {
       return std::string(test.param.code) + (test.param.holds ? "_holds" : "_goes_on");
     });

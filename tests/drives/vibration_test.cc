@@ -1,10 +1,8 @@
-// Samples of a vibration sensor: none twice, losses counted, level and frequency of a sine.
+// Samples of a vibration sensor: none twice, losses counted.
 #include "drives/vibration.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
 #include <random>
 
 namespace stanok::drives {
@@ -63,50 +61,6 @@ TEST(VibrationReader, SamplesHaveASign) {
   const auto fresh = reader.take(block);
   EXPECT_EQ(fresh[0], -0.1);
   EXPECT_EQ(fresh[1], -3276.8);
-}
-
-// A stretch of whole periods: the amplitude is exact, the frequency but for the straight lines
-// between samples.
-TEST(VibrationMeter, MeasuresASineOnAMeanValue) {
-  const double rate = 4000.0;
-  VibrationMeter meter(rate, 0.25);
-  EXPECT_EQ(meter.level().amplitude_um, 0.0);
-  std::vector<double> samples;
-  for (int k = 0; k < 1000; ++k) {
-    samples.push_back(5.0 + 12.5 * std::sin(2.0 * std::numbers::pi * 88.0 * k / rate + 0.3));
-  }
-  meter.add(std::span(samples).first(999));
-  EXPECT_EQ(meter.level().amplitude_um, 0.0);
-  meter.add(std::span(samples).last(1));
-  EXPECT_NEAR(meter.level().amplitude_um, 12.5, 1e-9);
-  EXPECT_NEAR(meter.level().frequency_hz, 88.0, 0.01);
-}
-
-// Over the range of self-oscillations of machine tools, at any phase.
-TEST(VibrationMeter, MeasuresAnyFrequencyFrom20To400Hz) {
-  const double rate = 4000.0;
-  double amplitude_error = 0.0;
-  double frequency_error = 0.0;
-  for (int step = 0; step <= 44; ++step) {
-    const double frequency = 20.0 * std::pow(1.07, step);  // to 393 Hz
-    for (int turn = 0; turn < 9; ++turn) {
-      const double phase = 0.7 * turn;
-      VibrationMeter meter(rate, 0.25);
-      std::vector<double> samples;
-      for (int k = 0; k < 1000; ++k) {
-        samples.push_back(9.0 * std::sin(2.0 * std::numbers::pi * frequency * k / rate + phase) -
-                          3.0);
-      }
-      meter.add(samples);
-      amplitude_error = std::max(amplitude_error, std::abs(meter.level().amplitude_um / 9.0 - 1.0));
-      frequency_error =
-          std::max(frequency_error, std::abs(meter.level().frequency_hz / frequency - 1.0));
-    }
-  }
-  RecordProperty("amplitude_error_percent", std::to_string(100.0 * amplitude_error));
-  RecordProperty("frequency_error_percent", std::to_string(100.0 * frequency_error));
-  EXPECT_LE(amplitude_error, 0.05);
-  EXPECT_LE(frequency_error, 0.02);
 }
 
 }  // namespace

@@ -220,31 +220,6 @@ TEST(FormableFrequency, StaysAwayFromMultiplesOfTheSpindle) {
   EXPECT_EQ(formable_frequency(4.0, revolution_s), 4.0);
 }
 
-// A self-oscillation that settles at 20 um and 100 Hz.
-TEST(SetpointLaw, FormsTheOscillationOfTheCorrectedEquationOnceAndKeepsItInTheCut) {
-  SetpointLaw law({.feed_exponent = 0.75, .oscillation_reserve = 1.1});
-  law.set_mean(2000.0);
-  law.set_automatic(2.0, 4.0);
-  SetpointLaw::Inputs inputs{.cycle_s = 0.001, .revolution_s = 0.1, .vibration = {}, .cuts = true};
-  const auto run = [&](double seconds) {
-    for (double t = 0.0; t < seconds; t += inputs.cycle_s) static_cast<void>(law.advance(inputs));
-  };
-  for (double amplitude = 6.0; amplitude < 20.0; amplitude *= 1.1) {
-    inputs.vibration = {amplitude, 100.0};
-    run(0.05);
-    EXPECT_EQ(law.oscillation().force_n, 0.0) << "it still grows";
-  }
-  inputs.vibration = {20.0, 100.0};
-  run(0.5);
-  EXPECT_NEAR(law.oscillation().force_n, 1.1 * quenching_force_n({20.0, 100.0}, 2.0, 4.0), 1e-9);
-  inputs.vibration = {};
-  run(5.0);
-  EXPECT_GT(law.oscillation().force_n, 0.0) << "it quenches what it was formed from";
-  inputs.cuts = false;
-  run(0.01);
-  EXPECT_EQ(law.oscillation().force_n, 0.0);
-}
-
 TEST(SetpointLaw, IsConstantToTheBitWithoutOscillation) {
   SetpointLaw law(ForceControlConfig{});
   law.set_mean(1234.5678);

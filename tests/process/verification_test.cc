@@ -76,6 +76,15 @@ TEST(Verification, DoesNotSimulateATableWithoutEnd) {
   EXPECT_THAT(codes(result.findings), ElementsAre("E9106"));
 }
 
+// 2 C zeta (1 + zeta) over alpha P/a at Q_end: 1.15 with a damping ratio of 0.372.
+TEST(Verification, WarnsOfAMarginThatIsSmall) {
+  GrindingProcess process = petrakov::sheet();
+  process.damping_n_s_per_m *= 0.372 / 0.9;
+  const Verification result = verify_cycle(process, petrakov::table(), {}, {});
+  EXPECT_THAT(codes(result.findings), ::testing::Contains("W913"));
+  EXPECT_THAT(codes(result.findings), ::testing::Not(::testing::Contains("E9109")));
+}
+
 TEST(Verification, HearsTheChatterOfASystemWithoutDamping) {
   GrindingProcess process = petrakov::sheet();
   process.damping_n_s_per_m = 2.0 * 0.05 * std::sqrt(25e6 * 32.0);

@@ -2,8 +2,8 @@
 
 #include <unistd.h>
 
+#include <charconv>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -16,6 +16,7 @@
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "client/terminal/progress_line.h"
+#include "client/terminal/result_files.h"
 #include "process/grinding/control_file.h"
 #include "process/grinding/part_program.h"
 
@@ -28,13 +29,6 @@ using process::CycleDesign;
 using process::DesignRequest;
 
 constexpr double verified_time_max_s = 3600.0;  // of a table that is verified
-
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error("cannot write " + path + "; check folder and permissions");
-}
 
 void show_iterations(DesignRequest& request, ProgressLine& progress) {
   request.optimiser.on_iteration = [&progress](const process::Iteration& iteration) {
@@ -66,8 +60,9 @@ void draw_pictures(const GrindOptions& options, const DesignRequest& request,
   }
 }
 
-int report(const GrindOptions& options, const DesignRequest& request, const CycleDesign& design) {
-  const GrindReport grind_report{request, design};
+int report(const GrindOptions& options, const DesignRequest& request, const CycleDesign& design,
+           const std::vector<process::Corner>& corners = GrindReport::no_corners) {
+  const GrindReport grind_report{request, design, corners};
   draw_pictures(options, request, design);
   const process::Findings& findings = design.verification.findings;
   if (options.json) {
@@ -80,13 +75,13 @@ int report(const GrindOptions& options, const DesignRequest& request, const Cycl
 }
 
 void write_program(const std::string& path, const GrindOptions& options,
-                   const DesignRequest& request, const process::InfeedLaw& law) {
+                   const DesignRequest& request, const process::InfeedLaw& law,
+                   double spark_out_revolutions) {
   process::ProgramOptions program = program_options(request.process, law, options.machine);
   program.title = fs::path(options.input).filename().string();
-  program.spark_out_s =
-      request.simulation.spark_out_revolutions * process::revolution_s(request.process);
+  program.spark_out_s = spark_out_revolutions * process::revolution_s(request.process);
   program.gauge_margin_mm = options.gauge_margin_mm;
-  write_text(path, process::part_program(request.process, law, program));
+  write_text_file(path, process::part_program(request.process, law, program));
 }
 
 int refused(const GrindOptions& options, const process::Findings& findings) {
@@ -95,29 +90,63 @@ int refused(const GrindOptions& options, const process::Findings& findings) {
   return exit_failed;
 }
 
+process::RobustDesign as_robust(CycleDesign design) {
+  return {.design = std::move(design), .corners = {}};
+}
+
+// KEY=VALUE: a part of stiffness or force_factor, or mm of allowance.
+process::Spread spread_of(const GrindOptions& options) {
+  process::Spread spread;
+  for (const std::string& text : options.spreads) {
+    const std::size_t middle = text.find('=');
+    const std::string key = text.substr(0, middle);
+    double value = -1.0;
+    if (middle != std::string::npos) {
+      const char* const end = text.data() + text.size();
+      if (std::from_chars(text.data() + middle + 1, end, value).ptr != end) value = -1.0;
+    }
+    constexpr double part_max = 0.9;
+    double* const place = key == "stiffness"      ? &spread.stiffness
+                          : key == "force_factor" ? &spread.force_factor
+                          : key == "allowance"    ? &spread.allowance_mm
+                                                  : nullptr;
+    if (place == nullptr || !(value >= 0.0 && value <= part_max)) {
+      throw CLI::ValidationError("--spread", "'" + text +
+                                                 "' is not stiffness=PART, force_factor=PART or "
+                                                 "allowance=MM, as stiffness=0.2, up to 0.9");
+    }
+    *place = value;
+  }
+  return spread;
+}
+
 int run_design(const GrindOptions& options) {
+  const process::Spread spread = spread_of(options);
   auto input = read_input(options);
   if (!input) return exit_failed;
   ProgressLine progress;
   show_iterations(input->request, progress);
-  const auto design = process::design_cycle(input->request);
+  auto robust = spread.is_none() ? process::design_cycle(input->request).map(as_robust)
+                                 : process::design_robust(input->request, spread);
   progress.clear();
-  if (!design) return refused(options, design.error());
+  if (!robust) return refused(options, robust.error());
+  const CycleDesign* const design = &robust->design;
   if (!options.out.empty()) {
     ControlFile file = input->control.value_or(ControlFile{input->request.process, {}, {}});
     file.law = design->law;
-    write_text(options.out, process::control_text(file));
+    write_text_file(options.out, process::control_text(file));
   }
   if (!options.program.empty()) {
-    write_program(options.program, options, input->request, design->law);
+    write_program(options.program, options, input->request, design->law,
+                  design->spark_out_revolutions);
   }
-  return report(options, input->request, *design);
+  return report(options, input->request, *design, robust->corners);
 }
 
 int run_verify(const GrindOptions& options) {
   auto input = read_control_input(options);
   if (!input) return exit_failed;
-  if (!options.out.empty()) write_text(options.out, process::control_text(*input->control));
+  if (!options.out.empty()) write_text_file(options.out, process::control_text(*input->control));
   input->request.simulation.time_max_s = verified_time_max_s;
   ProgressLine progress;
   show_iterations(input->request, progress);
@@ -131,7 +160,7 @@ int run_program(const GrindOptions& options) {
   if (!input) return exit_failed;
   const DesignRequest& request = input->request;
   const process::InfeedLaw& law = input->control->law;
-  write_program(options.program, options, request, law);
+  write_program(options.program, options, request, law, request.simulation.spark_out_revolutions);
   const process::Findings findings =
       process::verify_cycle(request.process, law, request.simulation, request.limits).findings;
   print_findings(findings);
@@ -166,16 +195,9 @@ int run_study_command(const GrindOptions& options) {
   if (options.out.empty()) {
     write_data(text);
   } else {
-    write_text(options.out, text);
+    write_text_file(options.out, text);
   }
   return 0;
-}
-
-// What is wrong with the name of a picture.
-std::string picture_name_fault(const std::string& name) {
-  const std::string extension = fs::path(name).extension().string();
-  const bool is_known = extension == ".svg" || extension == ".png";
-  return is_known ? "" : "a picture ends in .svg or .png";
 }
 
 void add_process_options(CLI::App& command, GrindOptions& options) {
@@ -266,6 +288,11 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
   add_process_options(*design, *of_design);
   add_staircase_options(*design, *of_design);
   add_iteration_options(*design, *of_design);
+  design
+      ->add_option("--spread", of_design->spreads,
+                   "KEY=PART: the table must do for values that far to either side: stiffness, "
+                   "force_factor (parts), allowance (mm); several times")
+      ->type_name("KEY=PART");
   add_result_options(*design, *of_design);
   add_machine_options(*design, *of_design);
 

@@ -48,8 +48,10 @@ std::optional<ControlFile> read_control_file(const GrindOptions& options) {
 void apply(const GrindOptions& options, DesignRequest& request) {
   if (options.exact) request.process.removal = process::RemovalForm::exact;
   if (options.burn_margin >= 0.0) request.limits.burn_margin = options.burn_margin;
-  if (options.spark_out_revolutions >= 0.0)
+  if (options.spark_out_revolutions >= 0.0) {
     request.simulation.spark_out_revolutions = options.spark_out_revolutions;
+    request.spark_out = process::SparkOut::given;
+  }
   if (options.time_step_s > 0.0) request.simulation.time_step_max_s = options.time_step_s;
   request.optimiser.feedback = options.feedback;
   request.optimiser.iterations_max = options.iterations;

@@ -27,6 +27,7 @@ struct GrindOptions {
   int iterations = 40;
   bool force = false;
   std::vector<std::string> variations;
+  std::vector<std::string> spreads;
   // Files to write; empty: none.
   std::string out;
   std::string program;

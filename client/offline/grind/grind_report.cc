@@ -27,6 +27,29 @@ ordered_json rows_json(const InfeedLaw& law) {
   return rows;
 }
 
+// The rows down to where the cycle ends: a law may go on behind it.
+InfeedLaw law_down_to(const InfeedLaw& law, double end_mm) {
+  InfeedLaw shown;
+  for (const process::InfeedRow& row : law) {
+    if (!shown.empty() && row.x_mm < end_mm) {
+      const process::InfeedRow& last = shown.back();
+      const double part = (last.x_mm - end_mm) / (last.x_mm - row.x_mm);
+      if (last.x_mm > end_mm) {
+        shown.push_back(
+            {end_mm, last.feed_mm_per_s + part * (row.feed_mm_per_s - last.feed_mm_per_s)});
+      }
+      break;
+    }
+    shown.push_back(row);
+  }
+  return shown;
+}
+
+ordered_json continuous_rows_json(const OptimalLaw& optimum) {
+  if (optimum.run.samples.empty()) return rows_json(optimum.law);
+  return rows_json(law_down_to(optimum.law, optimum.run.samples.back().x_mm));
+}
+
 // The corners of D(H), from the allowance down to 0.
 ordered_json boundary_json(const process::DesignRequest& request) {
   const Boundary boundary(request.process);
@@ -81,10 +104,11 @@ std::string process_text(const process::DesignRequest& request) {
   const Boundary boundary(process);
   return fmt::format(
       "boundary    Q_max {:.4f}, Q_end {:.4f} mm2/rad, burn line from H_crit {:g} mm\n"
-      "system      damping ratio {:.4f}, stability margin {:.2f}, revolution {:g} s\n",
+      "system      damping ratio {:.4f}, revolution {:g} s\n"
+      "stability   margin {:.2f}; a wave is {:.3g} times as high after a revolution\n",
       boundary.removal_max(), boundary.removal_end(), process.critical_allowance_mm,
-      process::damping_ratio(process), process::stability_margin(process),
-      process::revolution_s(process));
+      process::damping_ratio(process), process::revolution_s(process),
+      process::stability_margin(process), process::wave_growth(process));
 }
 
 std::string continuous_text(const OptimalLaw& law) {
@@ -112,6 +136,16 @@ std::string comparison_text(const process::CycleDesign& design) {
   return table.text(Terminal(Screen::none));
 }
 
+std::string spark_out_text(const GrindReport& report) {
+  const double revolutions = report.design.spark_out_revolutions;
+  if (revolutions <= 0.0) return "";
+  return fmt::format(
+      "spark-out   {:g} revolutions, {:.2f} s, behind the last X; {:.2f} um out of "
+      "round are left\n",
+      revolutions, revolutions * process::revolution_s(report.request.process),
+      report.design.verification.run.out_of_roundness_mm() * um_per_mm);
+}
+
 std::string verification_text(const Verification& verification) {
   std::string text = fmt::format(
       "Q/D         at most {:.4f} at X {:.4f} mm, {:.4f} behind the plunge-in\n"
@@ -133,6 +167,36 @@ std::string verification_text(const Verification& verification) {
   return text;
 }
 
+ordered_json corners_json(const std::vector<process::Corner>& corners) {
+  ordered_json list = ordered_json::array();
+  for (const process::Corner& corner : corners) {
+    const Verification& verification = corner.verification;
+    list.push_back({{"name", corner.name},
+                    {"stiffness", corner.process.stiffness_n_per_m},
+                    {"force_factor", corner.process.force_factor},
+                    {"allowance_mm", corner.allowance_mm},
+                    {"cycle_time_s", verification.run.time_s},
+                    {"q_over_burn_line", peak_json(verification.burn)},
+                    {"residual_mm", verification.run.residual_mm},
+                    {"out_of_roundness_mm", verification.run.out_of_roundness_mm()},
+                    {"ok", !process::has_errors(verification.findings)}});
+  }
+  return list;
+}
+
+std::string corners_text(const std::vector<process::Corner>& corners) {
+  if (corners.empty()) return "";
+  TextTable table({"corner", "Q/L", "radius um", "round um", ""});
+  for (const process::Corner& corner : corners) {
+    const Verification& verification = corner.verification;
+    table.add_row({corner.name, fmt::format("{:.3f}", verification.burn.ratio),
+                   fmt::format("{:+.2f}", verification.run.residual_mm * um_per_mm),
+                   fmt::format("{:.2f}", verification.run.out_of_roundness_mm() * um_per_mm),
+                   process::has_errors(verification.findings) ? "failed" : "ok"});
+  }
+  return table.text(Terminal(Screen::none)) + "\n";
+}
+
 std::string law_text(const InfeedLaw& law) {
   TextTable table({"from X mm", "to X mm", "mm/s", "mm/min"});
   for (std::size_t k = 0; k + 1 < law.size(); ++k) {
@@ -152,8 +216,10 @@ std::string law_text(const InfeedLaw& law) {
 
 }  // namespace
 
+const std::vector<process::Corner> GrindReport::no_corners;
+
 ordered_json to_json(const GrindReport& report) {
-  const auto& [request, design] = report;
+  const auto& [request, design, corners] = report;
   const Verification& verification = design.verification;
   ordered_json stiffness = ordered_json::array();
   for (const process::SizeError& error : verification.size_errors) {
@@ -173,6 +239,8 @@ ordered_json to_json(const GrindReport& report) {
           {"q_over_d", peak_json(verification.boundary)},
           {"q_over_d_settled", peak_json(verification.boundary_settled)},
           {"q_over_burn_line", peak_json(verification.burn)},
+          {"spark_out_revolutions", design.spark_out_revolutions},
+          {"spark_out_s", design.spark_out_revolutions * process::revolution_s(request.process)},
           {"residual_mm", verification.run.residual_mm},
           {"residual_mean_mm", verification.run.residual_mean_mm},
           {"out_of_roundness_mm", verification.run.out_of_roundness_mm()},
@@ -180,12 +248,14 @@ ordered_json to_json(const GrindReport& report) {
           {"force_max_n", verification.run.force_max_n},
           {"damping_ratio", process::damping_ratio(request.process)},
           {"stability_margin", process::stability_margin(request.process)},
+          {"wave_growth", process::wave_growth(request.process)},
           {"compare",
            {{"constant_safe_s", design.constant_safe_time_s},
             {"three_step_s", optional_json(three_step_time_s(design))},
             {"continuous_s", optional_json(continuous_time_s(design))}}},
-          {"continuous_law", rows_json(design.continuous.law)},
+          {"continuous_law", continuous_rows_json(design.continuous)},
           {"stiffness", stiffness},
+          {"corners", corners_json(corners)},
           {"findings", findings_json(verification.findings)}};
 }
 
@@ -194,10 +264,11 @@ ordered_json refusal_json(const process::Findings& findings) {
 }
 
 std::string to_text(const GrindReport& report, const Terminal& terminal) {
-  const auto& [request, design] = report;
+  const auto& [request, design, corners] = report;
   const bool is_good = !process::has_errors(design.verification.findings);
   return process_text(request) + continuous_text(design.continuous) + "\n" + law_text(design.law) +
-         "\n" + verification_text(design.verification) + "\n" + comparison_text(design) +
+         "\n" + spark_out_text(report) + verification_text(design.verification) + "\n" +
+         corners_text(corners) + comparison_text(design) +
          (is_good ? terminal.coloured("ok", Colour::green)
                   : terminal.coloured("failed", Colour::red)) +
          "\n";

@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "client/terminal/terminal.h"
 #include "process/grinding/cycle_design.h"
+#include "process/grinding/robust_design.h"
 
 namespace stanok::client {
 
@@ -13,6 +15,9 @@ namespace stanok::client {
 struct GrindReport {
   const process::DesignRequest& request;
   const process::CycleDesign& design;
+  const std::vector<process::Corner>& corners = no_corners;  // of a robust design
+
+  static const std::vector<process::Corner> no_corners;
 };
 
 [[nodiscard]] nlohmann::ordered_json to_json(const GrindReport& report);

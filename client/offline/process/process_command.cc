@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 
+#include "client/offline/process/identify_command.h"
 #include "client/offline/process/lobes_report.h"
+#include "client/offline/process/optimise_command.h"
+#include "client/offline/process/program_speeds.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
+#include "client/terminal/result_files.h"
 #include "config/files/chatter_file.h"
 
 namespace stanok::client {
@@ -21,6 +22,9 @@ struct LobesOptions {
   std::string speeds = "1000:20000";
   int count = 800;
   std::vector<std::string> cuts;
+  std::string program;
+  double depth_mm = 0.0;
+  JobOptions job;
   std::string method = "zeroth-order";
   std::string picture;
   std::string csv;
@@ -60,6 +64,10 @@ LobesRequest request_of(const LobesOptions& options) {
           "--cut", "`" + text + "` is not SPEED:DEPTH in rev/min and mm, as 9000:1.5");
     request.programmed.push_back({.speed_rev_per_min = cut->first, .depth_mm = cut->second});
   }
+  if (!options.program.empty()) {
+    for (const double speed : speeds_of_program(options.program, options.job))
+      request.programmed.push_back({.speed_rev_per_min = speed, .depth_mm = options.depth_mm});
+  }
   request.process = config::read_chatter_file(options.input);
   return request;
 }
@@ -67,13 +75,7 @@ LobesRequest request_of(const LobesOptions& options) {
 int run_lobes(const LobesOptions& options) {
   const LobesStudy study = study_lobes(request_of(options));
   if (!options.picture.empty()) draw_picture(study, options.picture);
-  if (!options.csv.empty()) {
-    std::ofstream stream(options.csv, std::ios::binary);
-    stream << to_csv(study);
-    stream.close();
-    if (!stream)
-      throw std::runtime_error("cannot write " + options.csv + "; check folder and permissions");
-  }
+  if (!options.csv.empty()) write_text_file(options.csv, to_csv(study));
   if (options.json) {
     write_json(to_json(study));
   } else {
@@ -81,11 +83,6 @@ int run_lobes(const LobesOptions& options) {
   }
   const bool is_stable = std::ranges::all_of(study.cuts, &PlannedCut::is_stable);
   return is_stable ? 0 : exit_failed;
-}
-
-std::string picture_name_fault(const std::string& name) {
-  const std::string extension = std::filesystem::path(name).extension().string();
-  return extension == ".svg" || extension == ".png" ? "" : "a picture ends in .svg or .png";
 }
 
 // The operator commands have the noun as well.
@@ -116,6 +113,19 @@ void add_process_commands(CLI::App& app, int& exit_code) {
       ->type_name("SPEED:DEPTH")
       ->delimiter(',')
       ->allow_extra_args(false);
+  CLI::Option* const depth =
+      command->add_option("--depth", options->depth_mm, "depth of the cuts of --program, mm")
+          ->check(CLI::PositiveNumber);
+  CLI::Option* const machine =
+      command->add_option("--machine", options->job.machine_file, "machine file of the program")
+          ->type_name("FILE");
+  command
+      ->add_option("--program", options->program,
+                   "part program: the speeds of its moves at feed are planned cuts")
+      ->type_name("FILE")
+      ->needs(depth)
+      ->needs(machine);
+  command->add_option("--channel", options->job.channel, "its channel")->check(CLI::PositiveNumber);
   command
       ->add_option(
           "--method", options->method,
@@ -128,6 +138,8 @@ void add_process_commands(CLI::App& app, int& exit_code) {
   command->add_option("--csv", options->csv, "the limits as CSV")->type_name("FILE");
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &exit_code] { exit_code = run_lobes(*options); });
+  add_identify_command(*noun, exit_code);
+  add_optimise_command(*noun, exit_code);
 }
 
 }  // namespace stanok::client

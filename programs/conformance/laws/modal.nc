@@ -22,6 +22,15 @@ L_A=0.4 L_B=2
 ; expect: law interrupted L_A=0.4 L_B=2
 X60
 ; expect: line X60 F80
+L_A=0 L_B=2
+; expect: law off
+X60.5
+; expect: line X60.5 F80
+L_A=0.4 L_B=2
+; expect: law interrupted L_A=0.4 L_B=2
+X60.7 L_A=0 L_B=2
+; expect: law off for the block
+; expect: line X60.7 F80
 S_n=60 dS=0.1 dl=0.05
 ; expect: law linear S_n=60 dS=0.1 dl=0.05
 X61 L_A=0.4 L_B=2//F waits behind the law and is used again

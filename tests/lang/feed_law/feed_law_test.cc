@@ -124,7 +124,7 @@ TEST_F(FeedLaws, DoNotExistOnAMasterChannel) {
   EXPECT_EQ(error_code("L_A=1 L_B=2\nM30\n"), "E4009");
 }
 
-// 0.1 inch/min is 2.54 mm/min, no multiple of 0.1; 0.5 inch/min is 12.7 mm/min.
+// Steps of feed are hundredths of an inch per minute: 0.1 mm/min is no number of inches.
 TEST_F(FeedLaws, AreInInchesLikeTheirProgram) {
   const auto inch = laws("G20 G1 F1 Smin=2 Smax=4 dS=0.5 dl=0.05\nM30\n");
   ASSERT_EQ(inch.size(), 2u);
@@ -133,7 +133,9 @@ TEST_F(FeedLaws, AreInInchesLikeTheirProgram) {
   EXPECT_NEAR(inch[0].law.feed_step, 12.7, 1e-12);
   EXPECT_NEAR(inch[0].law.path_step_mm, 1.27, 1e-12);
   EXPECT_EQ(inch[0].law.steps, 4);
-  EXPECT_EQ(error_code("G20 S_n=2 dS=0.1 dl=0.05\nM30\n"), "E4336");
+  EXPECT_EQ(error_code("G20 S_n=2 dS=0.1 dl=0.05\nM30\n"), "");
+  EXPECT_EQ(error_code("G20 G95 S_n=0.01 dS=0.0005 dl=0.05\nM30\n"), "");
+  EXPECT_EQ(error_code("G20 S_n=2 dS=0.105 dl=0.05\nM30\n"), "E4336");
 }
 
 // An increment of 0.005 mm takes 0.015, not 0.012; a channel whose increment is not known takes
