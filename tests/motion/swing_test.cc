@@ -211,7 +211,7 @@ TEST(Swing, StaysWithinTheReachItIsGiven) {
 
 std::vector<Sample> run_corner(double turn, double feed) {
   const MotionConfig config = three_axes(channel_limits);
-  const Legs legs(30.0, turn);
+  const Legs legs(4.0, turn);
   PathBuilder builder(config);
   builder.restart(legs.start);
   for (const Point& end : {Point{}, legs.end}) {
