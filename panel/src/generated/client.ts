@@ -623,6 +623,7 @@ export interface Methods {
         lost: number;
         samples: number;
         sensor: string;
+        synchronous_um: number;
       }[];
     };
   };
@@ -721,6 +722,7 @@ export interface Methods {
         shank_diameter: number;
         taper_angle: number;
         wear_length: number;
+        wear_length_x: number;
         wear_radius: number;
       }[];
     };
@@ -752,6 +754,7 @@ export interface Methods {
       shank_diameter: number;
       taper_angle: number;
       wear_length: number;
+      wear_length_x: number;
       wear_radius: number;
     };
   };
@@ -759,7 +762,7 @@ export interface Methods {
   "tool.set": {
     params: {
       number: number;
-      key: "length" | "length_x" | "length_y" | "radius" | "wear_length" | "wear_radius" | "overhang" | "orientation" | "angle_front" | "angle_back";
+      key: "length" | "length_x" | "length_y" | "radius" | "wear_length" | "wear_length_x" | "wear_radius" | "overhang" | "orientation" | "angle_front" | "angle_back";
       value: number;
       edge?: number;
     };

@@ -1,4 +1,4 @@
-import{w as or}from"./playback.svelte-5v4q7Dd_.js";import{$ as Il}from"./index-Dg8RKPbE.js";/**
+import{w as or}from"./playback.svelte-BErVpBYg.js";import{$ as Il}from"./index-DihGboLR.js";/**
  * @license
  * Copyright 2010-2026 Three.js Authors
  * SPDX-License-Identifier: MIT
