@@ -11,13 +11,14 @@ using Derivatives = SpeedOptimum::Derivatives;
 // The path of the barrier: its part of the time at first and in the end, and how it falls.
 constexpr double part_at_last = 0.0024;
 constexpr double part_falls = 0.2;
-constexpr double part_while_relaxed = 0.3;
+constexpr double part_while_relaxed = 0.3;  // at first
+constexpr double part_rises = 2.0;
+constexpr double part_relaxed_max = 300.0;
 constexpr int steps_max = 150;
 
-// What intervals that are relaxed may use more than they do: at first and in the end, as parts of
-// what is too much and of their limits.
-constexpr double room_at_first = 0.1;
-constexpr double room_at_last = 0.002;
+// What intervals that are relaxed may use more than they do, as parts of what is too much and of
+// their limits.
+constexpr double room = 0.1;
 constexpr double least_room = 0.03;
 constexpr double settled = 1.0 - 1e-6;  // use of a share with which an interval is no more relaxed
 constexpr double relaxed_max = 1000.0;
@@ -132,16 +133,16 @@ bool SpeedOptimum::improve(const LimitGrid& grid, const std::vector<LimitShare>&
   pivots_.resize(n + 2);
   change_.assign(n + 2, 0.0);
   relaxed_.assign(n, relaxed_max);
-  double room = room_at_first;
-  bool is_relaxed = relax(room);
+  bool is_relaxed = relax();
   if (!is_within(spline.points())) return false;
   double time = 0.0;
   for (std::size_t m = 0; m < n; ++m)
     time += grid.length(m) / std::sqrt(spline.at(m, LimitGrid::middle).value);
   const double barriers = static_cast<double>(n * (6 * grid.axes() + 1));
   double part = start;
+  double part_relaxed = part_while_relaxed;
   for (int k = 0; k < steps_max; ++k) {
-    collect(barriers / ((is_relaxed ? part_while_relaxed : part) * time));
+    collect(barriers / ((is_relaxed ? part_relaxed : part) * time));
     if (!solve()) return !is_relaxed;
     const double off = decrement();
     const double longest = longest_step();
@@ -151,9 +152,10 @@ bool SpeedOptimum::improve(const LimitGrid& grid, const std::vector<LimitShare>&
     constexpr double near = 1.5;
     constexpr double there = 0.1;
     if (is_relaxed) {
-      if (off < there) room *= 0.5;
-      if (room < room_at_last) return false;
-      is_relaxed = relax(room);
+      // At rest with intervals that use too much, the time holds them there.
+      if (off < there) part_relaxed *= part_rises;
+      if (part_relaxed > part_relaxed_max) return false;
+      is_relaxed = relax();
       continue;
     }
     if (!is_whole && off > near) continue;
@@ -187,7 +189,7 @@ bool SpeedOptimum::is_within(const std::vector<double>& points) const {
 }
 
 // Lets each interval use so much more than it does; false: none uses more than its share.
-bool SpeedOptimum::relax(double room) {
+bool SpeedOptimum::relax() {
   bool is_any = false;
   for (std::size_t m = 0; m < grid_->size(); ++m) {
     const double used = use(spline_->points(), m);

@@ -99,7 +99,7 @@ class SpeedOptimum {
   };
 
   [[nodiscard]] double use(const std::vector<double>& points, std::size_t m) const;
-  [[nodiscard]] bool relax(double room);
+  [[nodiscard]] bool relax();
   [[nodiscard]] bool is_within(const std::vector<double>& points) const;
   [[nodiscard]] double top(std::size_t m) const;
   void collect(double weight);

@@ -87,6 +87,20 @@ TEST(TimeOptimum, AHigherFeedIsNotSlowerFullSize) {
   expect_no_slower_for_a_higher_feed(21, 200);
 }
 
+// The curves at both ends of the arc are passed at 17 mm/s. The ramps, from which the search
+// begins, use twice the jerk there once they are to pass the arc at its own highest speed.
+TEST(TimeOptimum, AnArcBetweenSlowCurvesIsNotSlowerForAHigherFeed) {
+  const MotionConfig config = three_axes(channel_limits);
+  const auto time_at = [&config](double feed) {
+    std::vector<PathBlock> blocks;
+    blocks.push_back(line_to({-6.801687, 5.888744}, feed));
+    blocks.push_back(arc_to(blocks.back().end, {-5.011363, 4.338722}, -1.8994, {}, feed));
+    blocks.push_back(line_to({-1.224884, 6.548678}, feed));
+    return time_of(run_path(config, built_from(config, blocks)));
+  };
+  EXPECT_LE(time_at(150.0), 1.002 * time_at(100.0));
+}
+
 TEST(TimeOptimum, AHigherOverrideIsNotSlower) {
   const MotionConfig config = three_axes(channel_limits);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
