@@ -77,10 +77,10 @@ Join judge_join(const Segment& incoming, const Segment& outgoing) {
   return cosine < cosine_min ? Join::turn : Join::corner;
 }
 
-Passage passage_of(std::span<const Segment> curve) {
-  Passage passage{.v = unlimited, .feed = curve.front().feed_per_s};
+Passage passage_of(std::span<const Segment> curve, double feed) {
+  Passage passage{.v = unlimited, .feed = feed};
   for (const Segment& segment : curve) {
-    passage.v = std::min(passage.v, segment_limits(segment.bounds, segment.feed_per_s).v);
+    passage.v = std::min(passage.v, segment_limits(segment.bounds, feed).v);
     passage.length += segment.length;
   }
   return passage;

@@ -26,8 +26,8 @@ struct Passage {
   double feed = 0.0;    // mm/s; the most that is programmed there
   double length = 0.0;  // mm
 };
-// Of a curve in one or more segments, whose bounds are known.
-[[nodiscard]] Passage passage_of(std::span<const Segment> curve);
+// Of a curve in one or more segments, whose bounds are known, at `feed` (mm/s).
+[[nodiscard]] Passage passage_of(std::span<const Segment> curve, double feed);
 
 // Whether the curve is passed nearly as fast as the feed or the length of the blocks allow, so that
 // the time need not be asked for.

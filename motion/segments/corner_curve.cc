@@ -13,7 +13,7 @@
 namespace stanok::motion {
 namespace {
 
-// A swing is taken where it loses so many times less than the other way.
+// A swing is taken where it loses so many times less than the other way, blend or stop.
 constexpr double gain_min = 1.3;
 
 // Shorter rests between two curves are not worth a segment of their own; their curve gives way.
@@ -125,41 +125,45 @@ std::optional<CornerCurve> curve_by(const Fit& fit, const CornerPlace& place,
   return curve;
 }
 
-// A curve that is passed at an even speed.
-void judge(const CornerPlace& place, const MotionConfig& config, CornerCurve& curve) {
-  const Passage passage = passage_of(curve.segments);
-  curve.v = passage.v;
-  curve.keeps_speed = keeps_speed(place.incoming, passage, place.outgoing, config);
-  curve.time_lost = time_lost(place.incoming, passage, place.outgoing, config);
-}
+// A corner as it were if nothing but the axes limited the speed: what is found there holds at every
+// feed.
+class CornerAtAnyFeed {
+ public:
+  CornerAtAnyFeed(const CornerPlace& place, const MotionConfig& config)
+      : config_(config), incoming_(place.incoming), outgoing_(place.outgoing) {
+    incoming_.feed_per_s = unlimited;
+    outgoing_.feed_per_s = unlimited;
+  }
 
-// Whether a swing to the full tolerance could lose less than `lost_max`, by the closed forms of its
-// speed and of the blend's; near enough to spare the making of most that could not. Between lines.
-bool may_gain(const CornerPlace& place, const CornerCurve& blend, const Tolerance& tolerance,
-              const MotionConfig& config, double lost_max) {
+  [[nodiscard]] static Passage passage(const CornerCurve& curve) {
+    return passage_of(curve.segments, unlimited);
+  }
+  [[nodiscard]] bool keeps_speed(const Passage& passage) const {
+    return motion::keeps_speed(incoming_, passage, outgoing_, config_);
+  }
+  [[nodiscard]] double time_lost(const Passage& passage) const {
+    return motion::time_lost(incoming_, passage, outgoing_, config_);
+  }
+
+ private:
+  const MotionConfig& config_;
+  Segment incoming_;
+  Segment outgoing_;
+};
+
+// A swing to the full tolerance between two lines, by the closed forms of its speed and of the
+// blend's; near enough to spare the making of most that gain nothing. None where it is not longer
+// than the blend.
+std::optional<Passage> foreseen_swing(const CornerPlace& place, double blend_reach, double blend_v,
+                                      const Tolerance& tolerance, const MotionConfig& config) {
   constexpr double faster_at_equal_reach = 0.72;  // (1.166 / 3.097)^(1/3)
   const double full = full_swing_reach(place.incoming, place.outgoing, tolerance, config);
   const double reach = std::min(full, reach_allowed(place));
-  if (reach <= blend.reach) return false;
-  const double feed = blend.segments.front().feed_per_s;
-  const double ratio = std::cbrt(reach * reach / (blend.reach * blend.reach));
-  const Passage passage{.v = std::min(feed, faster_at_equal_reach * ratio * blend.v),
-                        .feed = feed,
-                        .length = 2.0 * reach};
-  return time_lost(place.incoming, passage, place.outgoing, config) < lost_max;
+  if (reach <= blend_reach) return std::nullopt;
+  const double ratio = std::cbrt(reach * reach / (blend_reach * blend_reach));
+  return Passage{
+      .v = faster_at_equal_reach * ratio * blend_v, .feed = unlimited, .length = 2.0 * reach};
 }
-
-std::optional<CornerCurve> even_swing_at(const CornerPlace& place, const Tolerance& tolerance,
-                                         const MotionConfig& config) {
-  const auto fit = [&](double reach_max, const Tolerance& used) {
-    return fit_swing(place.incoming, place.outgoing, reach_max, used, config);
-  };
-  auto curve = curve_by(fit, place, tolerance, config);
-  if (curve) judge(place, config, *curve);
-  return curve;
-}
-
-}  // namespace
 
 std::optional<CornerCurve> blend_at(const CornerPlace& place, const Tolerance& tolerance,
                                     const MotionConfig& config) {
@@ -168,43 +172,78 @@ std::optional<CornerCurve> blend_at(const CornerPlace& place, const Tolerance& t
     if (!blend) return std::nullopt;
     return Swing{.parts = {blend->shape}, .reach = blend->reach};
   };
+  return curve_by(fit, place, tolerance, config);
+}
+
+std::optional<CornerCurve> swing_at(const CornerPlace& place, const Tolerance& tolerance,
+                                    const MotionConfig& config) {
+  const auto fit = [&](double reach_max, const Tolerance& used) {
+    return fit_swing(place.incoming, place.outgoing, reach_max, used, config);
+  };
   auto curve = curve_by(fit, place, tolerance, config);
-  if (curve) judge(place, config, *curve);
+  if (curve) curve->caution = gain_min;
   return curve;
 }
 
-CornerCurve faster_of_tangent(const CornerPlace& place, const Tolerance& tolerance,
-                              const MotionConfig& config, CornerCurve blend) {
-  constexpr double kept = 0.99;    // of the feed: nothing to gain
-  constexpr double faster = 1.02;  // than the blend
+// A swing that is passed faster than `blend` where two blocks, of which one is not straight, have
+// no kink to speak of, only a step of curvature.
+std::optional<CornerCurve> swing_at_step(const CornerPlace& place, const Tolerance& tolerance,
+                                         const MotionConfig& config, const CornerCurve& blend) {
+  constexpr double faster = 1.02;
   constexpr double longer = 1.25;
-  const bool has_law =
-      place.incoming.process.law != nullptr || place.outgoing.process.law != nullptr;
-  if (has_law || is_between_lines(place)) return blend;
-  if (blend.v >= kept * blend.segments.front().feed_per_s) return blend;
-  auto swing = even_swing_at(place, tolerance, config);
+  auto swing = swing_at(place, tolerance, config);
+  if (!swing || swing->reach >= longer * blend.reach) return std::nullopt;
   const bool is_faster =
-      swing && swing->v > faster * blend.v && swing->reach < longer * blend.reach;
-  return is_faster ? *std::move(swing) : blend;
+      CornerAtAnyFeed::passage(*swing).v > faster * CornerAtAnyFeed::passage(blend).v;
+  return is_faster ? std::move(swing) : std::nullopt;
 }
 
-std::optional<CornerCurve> faster_curve(const CornerPlace& place, const Tolerance& tolerance,
-                                        const MotionConfig& config,
-                                        std::optional<CornerCurve> blend, double lost_max) {
+// A swing that loses less time than `blend` by far.
+std::optional<CornerCurve> swing_at_kink(const CornerPlace& place, const CornerAtAnyFeed& free,
+                                         const Tolerance& tolerance, const MotionConfig& config,
+                                         const CornerCurve& blend) {
+  const Passage by_blend = CornerAtAnyFeed::passage(blend);
+  const double lost_max = free.time_lost(by_blend) / gain_min;
+  if (is_between_lines(place)) {
+    const auto foreseen = foreseen_swing(place, blend.reach, by_blend.v, tolerance, config);
+    if (!foreseen || free.time_lost(*foreseen) >= lost_max) return std::nullopt;
+  }
+  auto swing = swing_at(place, tolerance, config);
+  const bool gains = swing && free.time_lost(CornerAtAnyFeed::passage(*swing)) < lost_max;
+  return gains ? std::move(swing) : std::nullopt;
+}
+
+// A swing that is worth to be taken instead of `blend`.
+std::optional<CornerCurve> swing_instead_of(const CornerCurve& blend, const CornerPlace& place,
+                                            const Tolerance& tolerance,
+                                            const MotionConfig& config) {
+  const CornerAtAnyFeed free(place, config);
+  if (!free.keeps_speed(CornerAtAnyFeed::passage(blend)))
+    return swing_at_kink(place, free, tolerance, config, blend);
+  return is_between_lines(place) ? std::nullopt : swing_at_step(place, tolerance, config, blend);
+}
+
+// At the feeds of the blocks.
+void judge(const CornerPlace& place, const MotionConfig& config, CornerCurve& curve) {
+  const Passage passage = passage_of(curve.segments, curve.segments.front().feed_per_s);
+  curve.keeps_speed = keeps_speed(place.incoming, passage, place.outgoing, config);
+  curve.time_lost = time_lost(place.incoming, passage, place.outgoing, config);
+}
+
+}  // namespace
+
+std::optional<CornerCurve> corner_curve(const CornerPlace& place, const Tolerance& tolerance,
+                                        const MotionConfig& config) {
   const bool has_law =
       place.incoming.process.law != nullptr || place.outgoing.process.law != nullptr;
-  std::optional<CornerCurve> best;
-  if (blend && blend->time_lost <= lost_max) {
-    lost_max = blend->time_lost;
-    best = blend;
+  auto curve = blend_at(place, tolerance, config);
+  if (!has_law) {
+    auto swing = curve ? swing_instead_of(*curve, place, tolerance, config)
+                       : swing_at(place, tolerance, config);
+    if (swing) curve = std::move(swing);
   }
-  // A swing takes more of both blocks, and a plan has less to change its speed on.
-  const double swing_max = lost_max / gain_min;
-  if (has_law) return best;
-  if (blend && is_between_lines(place) && !may_gain(place, *blend, tolerance, config, swing_max))
-    return best;
-  auto swing = even_swing_at(place, tolerance, config);
-  return swing && swing->time_lost < swing_max ? swing : best;
+  if (curve) judge(place, config, *curve);
+  return curve;
 }
 
 }  // namespace stanok::motion

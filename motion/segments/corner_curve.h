@@ -19,26 +19,18 @@ struct CornerPlace {
 struct CornerCurve {
   std::vector<Segment> segments;  // in path order, with their bounds
   double reach = 0.0;             // into both blocks
-  double v = 0.0;                 // at which it is passed, where it is even; mm/s
-  bool keeps_speed = false;       // nearly: the time need not be asked for
+  bool keeps_speed = false;       // of the blocks, nearly: the time need not be asked for
   double time_lost = 0.0;         // s, against both blocks at their top speed
+  // How often the time lost counts against that of a stop: a swing takes more of both blocks, and a
+  // plan has less to change its speed on.
+  double caution = 1.0;
 };
 
-// The largest blend within the tolerance and the soft limits; none where there is no such curve.
-[[nodiscard]] std::optional<CornerCurve> blend_at(const CornerPlace& place,
-                                                  const Tolerance& tolerance,
-                                                  const MotionConfig& config);
-
-// `blend`, or a swing that is passed faster where the blocks have no kink, only a step of
-// curvature.
-[[nodiscard]] CornerCurve faster_of_tangent(const CornerPlace& place, const Tolerance& tolerance,
-                                            const MotionConfig& config, CornerCurve blend);
-
-// The fastest curve that loses less than `lost_max`; `blend` is the blend of the corner.
-[[nodiscard]] std::optional<CornerCurve> faster_curve(const CornerPlace& place,
+// The largest blend within the tolerance and the soft limits, or a swing where that is faster; none
+// where there is no such curve. Which of them it is does not depend on the feed, so that a higher
+// feed is never slower for the other curve.
+[[nodiscard]] std::optional<CornerCurve> corner_curve(const CornerPlace& place,
                                                       const Tolerance& tolerance,
-                                                      const MotionConfig& config,
-                                                      std::optional<CornerCurve> blend,
-                                                      double lost_max);
+                                                      const MotionConfig& config);
 
 }  // namespace stanok::motion

@@ -308,15 +308,13 @@ void PathBuilder::join_corner(Pending& next) {
                           .left = incoming.length - std::max(pending_->from, pending_->straight)};
   const Tolerance allowed{std::max(exact_tolerance, tolerance.mm),
                           std::max(exact_tolerance, tolerance.deg)};
-  const auto blend = blend_at(place, allowed, config_);
-  if (blend && blend->keeps_speed)
-    return take(faster_of_tangent(place, allowed, config_, *blend), next);
+  const auto curve = corner_curve(place, allowed, config_);
+  if (curve && curve->keeps_speed) return take(*curve, next);
   const auto overlap = overlap_corner(incoming, outgoing, tolerance, config_);
   OverlapGain gain;
   if (overlap) gain = overlap_gain(*overlap, incoming, outgoing, config_);
   const double by_stop = time_lost_by_stop(incoming, outgoing, config_) - gain.time;
-  const auto curve = faster_curve(place, allowed, config_, blend, by_stop);
-  if (curve) return take(*curve, next);
+  if (curve && curve->caution * curve->time_lost <= by_stop) return take(*curve, next);
   if (gain.time <= 0.0) return stop();
   stop_with_overlap(*overlap, gain.jerk_part, next);
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/motion/path_samples.h"
+#include "tests/motion/random_programs.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -241,6 +242,28 @@ TEST(Swing, IsPassedAtTheSpeedOfTheClosedForm) {
   // The plan also changes its speed within the curve.
   EXPECT_GT(slowest, 0.8 * even);
   EXPECT_LT(slowest, 1.5 * even);
+}
+
+// Which curve a corner has, by the number of segments, is the same at every feed: so a higher feed
+// cannot be slower for another curve.
+TEST(Swing, IsTakenAtEveryFeedOrAtNone) {
+  const MotionConfig config = three_axes(channel_limits);
+  Random random(1);
+  int swings = 0;
+  int blends = 0;
+  for (int n = 0; n < 100; ++n) {
+    const double length = random.between(0.3, 3.0);
+    const double turn = random.between(0.02, 0.35);  // sharper ones may stop, with overlap
+    const Point end{length + length * std::cos(turn), length * std::sin(turn)};
+    std::vector<std::size_t> counts;
+    for (const double feed : {10.0, 25.0, 60.0, 140.0, 240.0}) {
+      counts.push_back(built_from(config, {line_to({length}, feed), line_to(end, feed)}).size());
+    }
+    for (const std::size_t count : counts) EXPECT_EQ(count, counts.front()) << "corner " << n;
+    (counts.front() > 3 ? swings : blends) += 1;
+  }
+  EXPECT_GT(swings, 10);
+  EXPECT_GT(blends, 10);
 }
 
 }  // namespace
