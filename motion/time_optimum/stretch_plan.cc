@@ -58,9 +58,7 @@ std::span<const Phase> StretchPlan::plan(const Stretch& stretch) {
   append_between(stretch.phases, stretch.s0, stretch.s1, before);
   shares_.assign(grid_.size(), share_at_first);
   for (int proof = 0; proof < proofs_max; ++proof) {
-    spline_.reset(grid_, begin.state, end.state);
-    start_from_plan(stretch, begin.s);
-    if (!optimum_.improve(grid_, shares_, spline_, far_at_first)) return {};
+    if (!search(stretch, begin, end)) return {};
     planned_.clear();
     append_phases(grid_, spline_, begin.s, planned_);
     if (tighten(planned_, proof)) continue;
@@ -70,6 +68,18 @@ std::span<const Phase> StretchPlan::plan(const Stretch& stretch) {
     return {};
   }
   return {};
+}
+
+// From the plan, or from less than its speed where no motion within the limits is found from there.
+bool StretchPlan::search(const Stretch& stretch, const End& begin, const End& end) {
+  constexpr double slower = 0.5;  // of v^2
+  for (const double less : {0.0, slower}) {
+    spline_.reset(grid_, begin.state, end.state);
+    start_from_plan(stretch, begin.s);
+    slow_down(less);
+    if (optimum_.improve(grid_, shares_, spline_, far_at_first)) return true;
+  }
+  return false;
 }
 
 StretchPlan::End StretchPlan::begin_of(const Stretch& stretch) {
@@ -223,6 +233,16 @@ void StretchPlan::start_from_plan(const Stretch& stretch, double s0) {
       spline_.points()[m + 1] = is_low ? std::max(at_start, at_end) : point;
     }
     from = to;
+  }
+}
+
+// Squared speeds lower by the part `less`, less and less so towards the ends, whose states stay.
+void StretchPlan::slow_down(double less) {
+  const std::size_t n = grid_.size();
+  const double ramp = std::min(0.25 * static_cast<double>(n), 30.0);  // intervals
+  for (std::size_t i = 2; i < n; ++i) {
+    const double x = std::min(1.0, static_cast<double>(std::min(i - 1, n - i)) / ramp);
+    spline_.points()[i] *= 1.0 - less * x * x * (3.0 - 2.0 * x);
   }
 }
 

@@ -61,7 +61,9 @@ class StretchPlan {
                                     std::size_t first_interval) const;
   void lay_knots(const Stretch& stretch, PhaseWalk& walk, std::size_t segment, const End& begin,
                  const End& end, std::size_t first, double longest);
+  [[nodiscard]] bool search(const Stretch& stretch, const End& begin, const End& end);
   void start_from_plan(const Stretch& stretch, double s0);
+  void slow_down(double less);
   void make_phases(const End& begin, const End& end);
   [[nodiscard]] bool tighten(std::span<const Phase> phases, int proof);
 
