@@ -25,6 +25,8 @@ namespace {
 // "Exact" path: what a tolerance of 0 still permits, a millionth of a micrometre. It lets tangent
 // joins with rounded coordinates or a step of curvature pass slowly; real corners stop.
 constexpr double exact_tolerance = 1e-9;  // mm or deg
+// s; an overlap that gains less is not worth that both legs are bound to each other.
+constexpr double overlap_gain_min = 0.0005;
 
 // Of the whole tolerance, that corners left out of a line may use; blends have the rest.
 constexpr double straightening_share = 0.8;
@@ -315,7 +317,7 @@ void PathBuilder::join_corner(Pending& next) {
   if (overlap) gain = overlap_gain(*overlap, incoming, outgoing, config_);
   const double by_stop = time_lost_by_stop(incoming, outgoing, config_) - gain.time;
   if (curve && curve->caution * curve->time_lost <= by_stop) return take(*curve, next);
-  if (gain.time <= 0.0) return stop();
+  if (gain.time <= overlap_gain_min) return stop();
   stop_with_overlap(*overlap, gain.jerk_part, next);
 }
 
