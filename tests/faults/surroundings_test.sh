@@ -119,7 +119,8 @@ if ! is_sanitized; then
   switch_on
   expect_exit 0 program run long.nc
   wait_for '"line":2,'
-  prlimit --pid "$daemon" --as="$(awk '$1 == "VmSize:" { print $2 * 1024 }' "/proc/$daemon/status")"
+  # Of what may be written to, not of addresses: each thread has some of those in reserve.
+  prlimit --pid "$daemon" --data="$(awk '$1 == "VmData:" { print $2 * 1024 }' "/proc/$daemon/status")"
   "${operate[@]}" tool load "$folder/large.toml" >/dev/null 2>&1 || true # it has no answer to give
   expect_end 7
   grep -q 'bad_alloc; the machine is stopped' "$folder/stanokd.err" || fail "the end does not say why"
