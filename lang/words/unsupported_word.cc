@@ -23,7 +23,7 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G88", "boring, out by hand", "use G1 and M0 in the bottom of the hole"},
     {"@", "a polar radius", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
     {"^", "a polar angle", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
-    {",", "a chamfer or rounding of a corner", "write the chamfer as G1, the rounding as G2 or G3"},
+    {",A", "a line by its angle", "write the end of the line with both coordinates"},
     {"(LOG,...)", "a line of a log file", "use `log (text);`"},
 });
 
