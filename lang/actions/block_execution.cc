@@ -38,16 +38,24 @@ const Code& motion_row(const BlockCodes& codes) {
   return *codes.rows[i];
 }
 
+// G80 with axis words in the Fanuc dialect: the motion from before the cycle takes them.
+bool is_end_of_cycle_with_motion(const ActiveBlock& block, const BlockCodes& codes) {
+  return block.words.rules.is_fanuc() && block.words.g.has(g(80)) && codes.has(Group::motion) &&
+         motion_row(codes).action == CodeAction::end_cycle;
+}
+
 // The modally active motion takes the axis words that no code of the block claims.
 void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_words) {
   if (codes.axis_user != nullptr) return;
-  if (codes.has(Group::motion) && block.programmed != 0) {
+  const bool ends_cycle = is_end_of_cycle_with_motion(block, codes);
+  if (codes.has(Group::motion) && block.programmed != 0 && !ends_cycle) {
     const Code& row = motion_row(codes);
     block.fail("E4012", {row.letter, row.number, {}},
                "`" + code_text(row.letter, row.number) + "` takes no axis words", "");
     return;
   }
-  const CodeNumber number = block.modal.code(Group::motion);
+  const CodeNumber number =
+      ends_cycle ? motion_behind_cycle(block.modal) : block.modal.code(Group::motion);
   const bool arc = number == g(2) || number == g(3);
   const bool moves = block.programmed != 0 || (arc && (free_words & arc_words) != 0);
   if (!moves) return;
