@@ -98,9 +98,16 @@ struct Activity {
   bool after = false;
 };
 
+// G41 again, on the same side with the same offset: customary in loops of Fanuc programs.
+bool confirms_compensation(const ActiveBlock& block, const Code& code) {
+  if (!block.words.rules.is_fanuc()) return false;
+  if (code.number != block.modal.code(Group::radius_compensation)) return false;
+  return !block.has('D') || block.value('D') == block.modal.tool.radius_offset;
+}
+
 void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
   const bool again = code.group == Group::radius_compensation && code.number != g(40);
-  if (again && !active.before) return;
+  if (again && (!active.before || confirms_compensation(block, code))) return;
   const bool now = code.order < EffectOrder::radius_compensation ? active.before : active.after;
   if (!again && (!now || !is_forbidden(block, code))) return;
   BlockFault& fault = block.fail(again ? "E4142" : "E4141", {code.letter, code.number, {}},

@@ -58,14 +58,18 @@ void only_modal(ActiveBlock&, CodeNumber) {}
 
 // In the Fanuc dialect G80 is in a group of its own: the motion code from before the cycle is in
 // force again.
+CodeNumber motion_behind_cycle(const ModalState& modal) {
+  const CodeNumber number = modal.code(Group::motion);
+  const bool drills = find_code('G', number)->action == CodeAction::drill_hole;
+  const bool also_elsewhere = number == g(73) || number == g(74) || number == g(76);
+  return drills || also_elsewhere ? modal.cycles.motion_before : number;
+}
+
 void end_cycle(ActiveBlock& block, CodeNumber) {
   if (!block.words.rules.is_fanuc()) return;
   block.kept_groups |= group_bit(Group::motion);
-  const Code* const motion = find_code('G', block.modal.code(Group::motion));
-  const bool drills = motion->action == CodeAction::drill_hole;
-  const bool also_elsewhere =
-      motion->number == g(73) || motion->number == g(74) || motion->number == g(76);
-  if (drills || also_elsewhere) block.set_modal(Group::motion, block.modal.cycles.motion_before);
+  const CodeNumber behind = motion_behind_cycle(block.modal);
+  if (behind != block.modal.code(Group::motion)) block.set_modal(Group::motion, behind);
 }
 
 void take_feed(ActiveBlock& block, CodeNumber) {

@@ -11,6 +11,7 @@
 
 #include "lang/actions/block_execution.h"
 #include "lang/actions/cycle_moves.h"
+#include "lang/block/corner_stage.h"
 #include "lang/block/other_controls.h"
 #include "lang/block/turned_contour.h"
 
@@ -87,17 +88,30 @@ void collect_moves(ActiveBlock& block, CodeNumber code, CommandQueue& queue,
   }
 }
 
+void cut_corners(ActiveBlock& block, CodeNumber code, CommandQueue& queue, CornerStage& corners) {
+  Command command;
+  while (!queue.empty() && !block.failed()) {
+    queue.take(command);
+    const auto fault = corners.take(command);
+    if (!fault) continue;
+    fail_contour(block, code,
+                 "line " + std::to_string(fault->origin.line) + ": " + fault->fault.message);
+  }
+}
+
 // The moves of a contour, executed for themselves: the program's own state stays as it is.
 std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Contour& contour) {
   ModalState modal = block.modal;
   modal.compensation = {};
   modal.set(Group::radius_compensation, g(40), block.line);
   CommandQueue queue;
+  CornerStage corners(block.channel_words);
   std::vector<PlaneMove> moves;
   for (const Contour::Block& one : contour.blocks) {
     const BlockSurroundings around{modal, block.channel_words, block.channel, block.tables,
                                    queue, block.probe,         block.states,  nullptr};
     queue.set_origin(one.origin, 0);
+    const AxisValues start_W = modal.position_W;
     ActiveBlock inner(one.words, around, one.origin.line);
     execute_block(inner);
     modal.compensation = {};
@@ -109,10 +123,14 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
       fail_contour(block, code,
                    "line " + std::to_string(one.origin.line) + ": " + inner.fault->message);
     } else {
-      collect_moves(block, code, queue, moves);
+      corners.select(inner.corner, modal.plane(), start_W);
+      cut_corners(block, code, queue, corners);
+      collect_moves(block, code, corners.ready(), moves);
     }
     if (block.failed()) return {};
   }
+  corners.finish();
+  collect_moves(block, code, corners.ready(), moves);
   return moves;
 }
 

@@ -6,6 +6,7 @@
 #include "lang/actions/action_table.h"
 #include "lang/actions/actions.h"
 #include "lang/block/block_check.h"
+#include "lang/block/corner_words.h"
 #include "lang/block/other_controls.h"
 #include "lang/words/law_address.h"
 
@@ -37,16 +38,24 @@ const Code& motion_row(const BlockCodes& codes) {
   return *codes.rows[i];
 }
 
+// G80 with axis words in the Fanuc dialect: the motion from before the cycle takes them.
+bool is_end_of_cycle_with_motion(const ActiveBlock& block, const BlockCodes& codes) {
+  return block.words.rules.is_fanuc() && block.words.g.has(g(80)) && codes.has(Group::motion) &&
+         motion_row(codes).action == CodeAction::end_cycle;
+}
+
 // The modally active motion takes the axis words that no code of the block claims.
 void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_words) {
   if (codes.axis_user != nullptr) return;
-  if (codes.has(Group::motion) && block.programmed != 0) {
+  const bool ends_cycle = is_end_of_cycle_with_motion(block, codes);
+  if (codes.has(Group::motion) && block.programmed != 0 && !ends_cycle) {
     const Code& row = motion_row(codes);
     block.fail("E4012", {row.letter, row.number, {}},
                "`" + code_text(row.letter, row.number) + "` takes no axis words", "");
     return;
   }
-  const CodeNumber number = block.modal.code(Group::motion);
+  const CodeNumber number =
+      ends_cycle ? motion_behind_cycle(block.modal) : block.modal.code(Group::motion);
   const bool arc = number == g(2) || number == g(3);
   const bool moves = block.programmed != 0 || (arc && (free_words & arc_words) != 0);
   if (!moves) return;
@@ -129,7 +138,7 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
   for (const NamedWord& word : block.words.named) {
     if (block.channel_words.axis_called(word.name).exists()) continue;
     if (spindle_of_indexed_speed(word) || is_word_of_spindle_axis(codes, word)) continue;
-    if (is_law_address(word.name)) continue;
+    if (is_law_address(word.name) || is_corner_word(word.name)) continue;
     block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
                "unused word");
   }
@@ -213,6 +222,8 @@ void execute_block(ActiveBlock& block) {
   if (block.failed()) return;
   block.flow.moves = block.programmed != 0 && codes.axis_user != nullptr &&
                      codes.axis_user->order == EffectOrder::motion;
+  read_corner(block);
+  if (block.failed()) return;
   keep_offset_of_radius(block, codes);
   add_feed_speed_tool(block, codes);
   run_actions(block, codes);
@@ -221,7 +232,7 @@ void execute_block(ActiveBlock& block) {
 bool execute_simple_move(ActiveBlock& block, Move& move) {
   const BlockWords& words = block.words;
   CodeNumber motion = block.modal.code(Group::motion);
-  if (words.m.count != 0 || words.g.count > 1) return false;
+  if (words.m.count != 0 || words.g.count > 1 || !words.named.empty()) return false;
   if (motion == g(5, 2)) return false;  // inside a NURBS curve
   if (words.g.count == 1) motion = words.g.numbers[0];
   if (motion != g(0) && motion != g(1)) return false;

@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.h"
 #include "lang/block/command_queue.h"
+#include "lang/block/corner_cut.h"
 #include "lang/block/modal_state.h"
 #include "lang/block/probe_result.h"
 #include "lang/block/state_stack.h"
@@ -87,6 +88,7 @@ struct ActiveBlock : BlockSurroundings {
 
   bool machine_coordinates = false;  // G53
   bool stop_at_end = false;          // G9
+  CornerRequest corner;              // ,C or ,R
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
   double law_feed = 0.0;  // of its motion, from the feed law of the block; 0: it has none
 

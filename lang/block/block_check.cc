@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "lang/block/corner_words.h"
 #include "lang/block/feed_law_rules.h"
 #include "lang/block/macro_arguments.h"
 #include "lang/block/other_controls.h"
@@ -27,8 +28,9 @@ LetterSet words_of_all_motions() {
 
 // Whether a named word may be one of an axis.
 bool any_named_axis(const BlockWords& words) {
-  return std::any_of(words.named.begin(), words.named.end(),
-                     [](const NamedWord& word) { return !is_law_address(word.name); });
+  return std::any_of(words.named.begin(), words.named.end(), [](const NamedWord& word) {
+    return !is_law_address(word.name) && !is_corner_word(word.name);
+  });
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "lang/block/macro_arguments.h"
 
+#include <algorithm>
 #include <array>
 
+#include "lang/block/corner_words.h"
 #include "lang/text/source.h"
 
 namespace stanok::lang {
@@ -33,6 +35,12 @@ std::optional<BlockFault> check_macro_block(const BlockWords& words, const Macro
   if (words.spindle_named) {
     return BlockFault{"E4003",       {}, "nothing in this block uses the spindle after `$`",
                       "unused word", {}, {}};
+  }
+  const auto corner = std::ranges::find_if(
+      words.named, [](const NamedWord& word) { return is_corner_word(word.name); });
+  if (corner != words.named.end()) {
+    return fault_at("E4003", {0, -1, corner->name}, "a call does not use `" + corner->name + "`",
+                    "unused word");
   }
   if (call && !words.has('P')) {
     return BlockFault{"E4007",

@@ -14,8 +14,8 @@ constexpr std::size_t waiting_max = 100;
 // Full turns of an arc are recognised within this (rad).
 constexpr double same_angle = 1e-9;
 
-CompensationFault fault_of(const Origin& origin, std::string_view code, std::string message,
-                           std::string label) {
+FaultOfCommand fault_of(const Origin& origin, std::string_view code, std::string message,
+                        std::string label) {
   return {{code, {}, std::move(message), std::move(label), {}, {}}, origin};
 }
 
@@ -64,8 +64,7 @@ void CompensationStage::set_plane_point(AxisValues& values, PlanePoint point) co
   values[second_] = point.second;
 }
 
-CompensationResult CompensationStage::select(const RadiusCompensation& wanted,
-                                             const AxisValues& start_W) {
+StageResult CompensationStage::select(const RadiusCompensation& wanted, const AxisValues& start_W) {
   if (wanted == selected_) return std::nullopt;
   if (!wanted.on()) {
     auto fault = finish();
@@ -95,7 +94,7 @@ void CompensationStage::adopt_position() {
   if (state_ == State::leaving) state_ = State::off;
 }
 
-CompensationResult CompensationStage::take(Command& command) {
+StageResult CompensationStage::take(Command& command) {
   if (state_ == State::off) {
     pass(command);
     return std::nullopt;
@@ -110,7 +109,7 @@ CompensationResult CompensationStage::take(Command& command) {
   }
   if (const auto* request = std::get_if<Request>(&command.payload)) {
     if (compensating() && request->kind != RequestKind::terminate) {
-      CompensationFault fault =
+      FaultOfCommand fault =
           fault_of(command.origin, "E4140", "the program must wait here for standstill",
                    "radius compensation is active");
       fault.fault.help.push_back("switch it off with `G40` before");
@@ -125,7 +124,7 @@ CompensationResult CompensationStage::take(Command& command) {
   return fault;
 }
 
-CompensationResult CompensationStage::wait_with_element(Command& command) {
+StageResult CompensationStage::wait_with_element(Command& command) {
   if (!held_) {
     pass(command);
     return std::nullopt;
@@ -139,7 +138,7 @@ CompensationResult CompensationStage::wait_with_element(Command& command) {
 }
 
 // A move that is no element of the contour, with the law of its block.
-CompensationResult CompensationStage::wait_with_law(Command& command) {
+StageResult CompensationStage::wait_with_law(Command& command) {
   if (law_) {
     Command law = std::move(*law_);
     law_.reset();
@@ -163,7 +162,7 @@ bool CompensationStage::moves_in_plane(const Move& move) const {
   return norm(plane_point(move.end) - plane_point(programmed_W_)) > same_point;
 }
 
-CompensationResult CompensationStage::take_move(Command& command, Move& move) {
+StageResult CompensationStage::take_move(Command& command, Move& move) {
   if (!moves_in_plane(move)) {
     programmed_W_ = move.end;
     return wait_with_law(command);
@@ -173,7 +172,7 @@ CompensationResult CompensationStage::take_move(Command& command, Move& move) {
   return continue_contour(command, move);
 }
 
-CompensationResult CompensationStage::lead_in(Command& command, const Move& move) {
+StageResult CompensationStage::lead_in(Command& command, const Move& move) {
   if (is_arc(command, move)) {
     return fault_of(command.origin, "E4143", "radius compensation begins with an arc",
                     "G0 or G1 must come first");
@@ -200,7 +199,7 @@ PlaneElement CompensationStage::element_of(const Move& move) const {
   return with_sweep({start, end, true, centre, move.counter_clockwise, 0.0}, move.turns);
 }
 
-CompensationResult CompensationStage::continue_contour(Command& command, const Move& move) {
+StageResult CompensationStage::continue_contour(Command& command, const Move& move) {
   Held next{element_of(move), command, {}, 0.0, false, std::exchange(law_, std::nullopt)};
   if (next.element.arc && std::min(parallel_start_radius(next.element, offset_),
                                    parallel_end_radius(next.element, offset_)) < -same_point) {
@@ -230,7 +229,7 @@ CompensationResult CompensationStage::continue_contour(Command& command, const M
 }
 
 // The first plane move after G40; without one to leave from, it just passes.
-CompensationResult CompensationStage::lead_out(Command& command, Move& move) {
+StageResult CompensationStage::lead_out(Command& command, Move& move) {
   if (is_arc(command, move)) {
     return fault_of(command.origin, "E4143", "radius compensation ends with an arc",
                     "G0 or G1 must come first");
@@ -248,7 +247,7 @@ CompensationResult CompensationStage::lead_out(Command& command, Move& move) {
   return std::nullopt;
 }
 
-CompensationResult CompensationStage::finish() {
+StageResult CompensationStage::finish() {
   if (!held_) return std::nullopt;
   const PlaneElement element = held_->element;
   auto fault = emit_held(element.end + offset_ * left_of(end_tangent(element)), 0.0);
@@ -260,7 +259,7 @@ CompensationResult CompensationStage::finish() {
 }
 
 // The held element up to `end` of its parallel, which cuts `cut` from it.
-CompensationResult CompensationStage::emit_held(PlanePoint end, double cut) {
+StageResult CompensationStage::emit_held(PlanePoint end, double cut) {
   const Held held = std::move(*held_);
   held_.reset();
   const double remaining = extent(held.element) - held.cut - cut;

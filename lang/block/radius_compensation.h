@@ -21,15 +21,10 @@
 
 #include "lang/block/active_block.h"
 #include "lang/block/command_queue.h"
+#include "lang/block/fault_of_command.h"
 #include "lang/block/plane_element.h"
 
 namespace stanok::lang {
-
-struct CompensationFault {
-  BlockFault fault;
-  Origin origin;
-};
-using CompensationResult = std::optional<CompensationFault>;
 
 class CompensationStage {
  public:
@@ -40,17 +35,20 @@ class CompensationStage {
   // Commands must pass through take() as long as this holds.
   [[nodiscard]] bool engaged() const { return state_ != State::off || !ready_.empty(); }
 
+  [[nodiscard]] bool changes(const RadiusCompensation& wanted) const {
+    return !(wanted == selected_);
+  }
+
   // The compensation of the block whose commands come next; the programmed point stood at `start_W`
   // before it.
-  [[nodiscard]] CompensationResult select(const RadiusCompensation& wanted,
-                                          const AxisValues& start_W);
+  [[nodiscard]] StageResult select(const RadiusCompensation& wanted, const AxisValues& start_W);
 
   // The next command of the program, to be found in ready() now or later.
-  [[nodiscard]] CompensationResult take(Command& command);
+  [[nodiscard]] StageResult take(Command& command);
 
   // Gives out what is held, to the perpendicular at its end. An element that cannot be executed is
   // dropped.
-  CompensationResult finish();
+  StageResult finish();
 
   // The axes stand, and the program goes on from where they are.
   void adopt_position();
@@ -81,14 +79,14 @@ class CompensationStage {
   [[nodiscard]] bool moves_in_plane(const Move& move) const;
   [[nodiscard]] PlaneElement element_of(const Move& move) const;
 
-  CompensationResult take_move(Command& command, Move& move);
-  CompensationResult wait_with_law(Command& command);
+  StageResult take_move(Command& command, Move& move);
+  StageResult wait_with_law(Command& command);
   void pass_law();
-  CompensationResult lead_in(Command& command, const Move& move);
-  CompensationResult continue_contour(Command& command, const Move& move);
-  CompensationResult lead_out(Command& command, Move& move);
-  CompensationResult wait_with_element(Command& command);
-  CompensationResult emit_held(PlanePoint end, double cut);
+  StageResult lead_in(Command& command, const Move& move);
+  StageResult continue_contour(Command& command, const Move& move);
+  StageResult lead_out(Command& command, Move& move);
+  StageResult wait_with_element(Command& command);
+  StageResult emit_held(PlanePoint end, double cut);
   [[nodiscard]] Move parallel_move(const Held& held, PlanePoint end, double remaining) const;
   void emit_round(const Corner& corner, const Held& before, const Command& after);
   void pass(Command& command);

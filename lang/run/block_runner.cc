@@ -28,11 +28,13 @@ BlockRunner::BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStor
       vm_(vm),
       run_(run),
       parameters_(parameters),
+      corners_(state.channel_words),
       compensation_(state.channel_words),
       text_values_(parameters) {}
 
 void BlockRunner::reset() {
   state_.queue.clear();
+  corners_.reset();
   compensation_.reset();
   state_.states.clear();
   state_.blocks = 0;
@@ -80,7 +82,7 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
   Move* move = std::get_if<Move>(&command.payload);
   if (move == nullptr) move = &command.payload.emplace<Move>();
   ActiveBlock block = state_.block_at(line);
-  if (!compensation_.engaged() && !state_.calls_modal && execute_simple_move(block, *move)) {
+  if (!compensating() && !state_.calls_modal && execute_simple_move(block, *move)) {
     command.origin = {vm_.frame().file, line};
     command.block = state_.blocks;
     code_changes_.note(state_.blocks, state_.modal.codes);
@@ -202,24 +204,43 @@ BlockFlow BlockRunner::execute() {
     has_rest_ = true;
     return {};
   }
-  if (auto fault = compensation_.select(state_.modal.compensation, start_W)) {
-    fail_compensation(std::move(*fault));
-    return {};
+  return select_stages(block, start_W) ? block.flow : BlockFlow{};
+}
+
+// What the block asks for whose commands come next; false: the run has failed.
+bool BlockRunner::select_stages(const ActiveBlock& block, const AxisValues& start_W) {
+  const ModalState& modal = state_.modal;
+  if (corners_.holds() && compensation_.changes(modal.compensation)) {
+    fail(fault_at("E4151", {}, "a corner needs the next move of the contour",
+                  "radius compensation changes here"));
+    return false;
   }
-  return block.flow;
+  corners_.select(block.corner, modal.plane(), start_W);
+  if (auto fault = compensation_.select(modal.compensation, start_W)) {
+    fail_earlier(std::move(*fault));
+    return false;
+  }
+  return true;
 }
 
 // Of what was emitted, or at the end of a run of what is held there.
 bool BlockRunner::compensate() {
-  if (state_.queue.empty()) {
-    if (run_.running()) return false;
-    compensation_.finish();
-    return !compensation_.ready().empty();
-  }
   Command command;
-  state_.queue.take(command);
-  if (auto fault = compensation_.take(command)) fail_compensation(std::move(*fault));
-  return true;
+  if (!corners_.ready().empty()) {
+    corners_.ready().take(command);
+    if (auto fault = compensation_.take(command)) fail_earlier(std::move(*fault));
+    return true;
+  }
+  if (!state_.queue.empty()) {
+    state_.queue.take(command);
+    if (auto fault = corners_.take(command)) fail_earlier(std::move(*fault));
+    return true;
+  }
+  if (run_.running()) return false;
+  corners_.finish();
+  if (!corners_.ready().empty()) return true;
+  compensation_.finish();
+  return !compensation_.ready().empty();
 }
 
 void BlockRunner::adopt_position(const AxisValues& position_B) {
@@ -281,12 +302,13 @@ void BlockRunner::fail(BlockFault fault) {
 }
 
 // The block at fault may be one before the current block.
-void BlockRunner::fail_compensation(CompensationFault fault) {
+void BlockRunner::fail_earlier(FaultOfCommand fault) {
   const Source& source = vm_.program().files[fault.origin.file]->source;
   Diagnostic diagnostic =
       diagnostic_at(source, fault.fault.code, span_of_line(source, fault.origin.line),
                     std::move(fault.fault.message), std::move(fault.fault.label));
-  diagnostic.notes.push_back(state_.modal.origin_of(Group::radius_compensation));
+  if (state_.modal.compensation.on())
+    diagnostic.notes.push_back(state_.modal.origin_of(Group::radius_compensation));
   diagnostic.help = std::move(fault.fault.help);
   vm_.fail_with(std::move(diagnostic));
 }

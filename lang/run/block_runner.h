@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "lang/block/corner_stage.h"
 #include "lang/block/radius_compensation.h"
 #include "lang/contract/active_codes.h"
 #include "lang/program/code.h"
@@ -52,9 +53,10 @@ class BlockRunner {
   [[nodiscard]] bool take_rest() { return std::exchange(has_rest_, false); }
   void fail(BlockFault fault);
 
-  // Commands pass through radius compensation before they are delivered: those it has given out
-  // are in compensated(), and compensate() leads the next one through; false: nothing was to do.
-  [[nodiscard]] bool compensating() const { return compensation_.engaged(); }
+  // Commands pass through corners and radius compensation before they are delivered: those given
+  // out are in compensated(), and compensate() leads the next one through; false: nothing was to
+  // do.
+  [[nodiscard]] bool compensating() const { return corners_.engaged() || compensation_.engaged(); }
   [[nodiscard]] CommandQueue& compensated() { return compensation_.ready(); }
   bool compensate();
 
@@ -82,13 +84,15 @@ class BlockRunner {
   bool take_computed_word(const ComputedWord& word);
   void leave_out(const ComputedWord& word);
   void fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault);
-  void fail_compensation(CompensationFault fault);
+  [[nodiscard]] bool select_stages(const ActiveBlock& block, const AxisValues& start_W);
+  void fail_earlier(FaultOfCommand fault);
   [[nodiscard]] Passed adopt_words(ActiveBlock& block);
 
   BlockState& state_;
   Vm& vm_;
   RunState& run_;
   ParameterStore& parameters_;
+  CornerStage corners_;  // before radius compensation
   CompensationStage compensation_;
   CodeChanges code_changes_;
   TextValues text_values_;  // of the plain line

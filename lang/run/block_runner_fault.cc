@@ -46,7 +46,7 @@ void adopt_feed(ActiveBlock& block) {
 
 Passed BlockRunner::pass_fault() {
   const std::uint32_t line = run_.faulty_line();
-  if (!run_.failed() || line == 0 || compensation_.engaged()) return Passed::no;
+  if (!run_.failed() || line == 0 || compensating()) return Passed::no;
   ActiveBlock block = state_.block_at(line);
   state_.begin_commands({vm_.frame().file, line});
   has_rest_ = false;

@@ -95,11 +95,12 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
         .help.push_back("write e.g. `X10.5`");
     return false;
   }
-  if (c == '@' || c == '^' || c == ',') {
+  if (c == ',') return parse_corner_word(block);
+  if (c == '@' || c == '^') {
     reporter_
         .error("E2090", scanner_.here(),
                std::string("`") + c + "` words are not supported in this release",
-               c == ',' ? "corner chamfer and rounding" : "polar coordinates")
+               "polar coordinates")
         .help.emplace_back(find_unsupported_word({&c, 1})->instead);
     return false;
   }
@@ -156,6 +157,27 @@ bool IsoParser::parse_word(IsoBlock& block) {
   } else if (!parse_plain_value(word)) {
     return false;
   }
+  word.span = scanner_.span_from(start, line);
+  return add_word(block, std::move(word));
+}
+
+// `,C2` and `,R0.5`; `,A` is a line by its angle.
+bool IsoParser::parse_corner_word(IsoBlock& block) {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
+  const char letter = upper_case(scanner_.character(1));
+  if (letter != 'C' && letter != 'R') {
+    reporter_
+        .error("E2090", scanner_.here(2), "this word is not supported in this release",
+               letter == 'A' ? "a line by its angle" : "a comma between words")
+        .help.emplace_back(find_unsupported_word(",A")->instead);
+    return false;
+  }
+  IsoWord word;
+  word.name.name = {',', letter};
+  scanner_.advance(2);
+  scanner_.skip_blanks(LineEnds::significant);
+  if (!parse_plain_value(word)) return false;
   word.span = scanner_.span_from(start, line);
   return add_word(block, std::move(word));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "lang/block/block_check.h"
 #include "lang/text/limits.h"
@@ -119,6 +120,28 @@ bool read_word(const char*& at, const char* end, BlockWords& words, TextValues& 
   return good && (at == end || (*at != '.' && *at != '='));
 }
 
+// `,C2` and `,R[#1]`; `at` is left behind.
+[[gnu::noinline]] bool read_corner_word(const char*& at, const char* end, BlockWords& words,
+                                        TextValues& values) {
+  const char letter = ++at == end ? '\0' : upper_case(*at);
+  if (letter != 'C' && letter != 'R') return false;
+  const std::string name{',', letter};
+  if (std::ranges::any_of(words.named, [&](const NamedWord& word) { return word.name == name; }))
+    return false;
+  ++at;
+  while (at != end && is_blank(*at)) ++at;
+  double value = 0.0;
+  bool whole = false;
+  if (!read_number(at, end, value, whole)) {
+    const auto computed = at == end ? std::nullopt : values.read(at);
+    if (!computed) return false;
+    if (std::isnan(*computed)) return values.are_known();  // a vacant parameter
+    value = *computed;
+  }
+  words.named.push_back({name, value});
+  return at == end || (*at != '.' && *at != '=');
+}
+
 // The words of a line up to its end; `at` is left there.
 bool read_words(const char*& at, const char* end, Surroundings surroundings, BlockWords& words,
                 TextValues& values) {
@@ -132,6 +155,8 @@ bool read_words(const char*& at, const char* end, Surroundings surroundings, Blo
       any = true;
     } else if (is_line_end(c)) {
       return true;
+    } else if (c == ',') {
+      if (!any || !read_corner_word(at, end, words, values)) return false;
     } else if (c == '(') {
       if (!skip_parentheses(at, end)) return false;
     } else if (c == ';') {

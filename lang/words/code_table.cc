@@ -81,7 +81,7 @@ constexpr auto code_rows = std::to_array<Code>({
       "to reference point 2 to 4"),
     g(301, none, P::settings, no_axes, "P", not_master, store_reference_point,
       "store reference point 2 to 4"),
-    g(310, none, P::settings, axes, "P", not_master, later, "skip function"),
+    g(310, none, P::motion, needs_axes, "P", not_master, probe, "move up to the probe"),
     g(320, motion, P::motion, needs_axes, "FKQ", not_master, cut_thread, "thread"),
     g(330, motion, P::motion, needs_axes, "FKQ", not_master, cut_thread, "thread"),
     g(331, motion, P::motion, needs_axes, "KI", not_master, tap_rigidly, "rigid tapping"),

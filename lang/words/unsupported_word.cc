@@ -13,7 +13,6 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G17.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
     {"G18.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
     {"G19.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
-    {"G31", "a move up to a signal", "use G38.3"},
     {"G34", "a thread of variable lead", "use G33, section by section"},
     {"G37", "measurement of a tool", "use G38.2 and `settable_tool`"},
     {"G43.5", "TCP (RTCP) by a tool vector", "use G43.4 and program the rotary axes"},
@@ -23,7 +22,7 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G88", "boring, out by hand", "use G1 and M0 in the bottom of the hole"},
     {"@", "a polar radius", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
     {"^", "a polar angle", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
-    {",", "a chamfer or rounding of a corner", "write the chamfer as G1, the rounding as G2 or G3"},
+    {",A", "a line by its angle", "write the end of the line with both coordinates"},
     {"(LOG,...)", "a line of a log file", "use `log (text);`"},
 });
 

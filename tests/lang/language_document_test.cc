@@ -238,7 +238,7 @@ TEST_F(LanguageDocument, HasExamplesThatLoadAndExamplesThatAreRejected) {
 TEST_F(LanguageDocument, SaysOfWhatIsNotYetWhatWorks) {
   for (const UnsupportedWord& row : unsupported_words()) {
     std::string word(row.word);
-    if (word == ",") word = "G1 X1,R2";
+    if (word == ",A") word = "G1 X1,A45";
     if (word == "@" || word == "^") word = "G0 " + word + "5";
     if (word == "(LOG,...)") word = "(LOG,text)";
     for (const char* kind : {"", "// lathe\n"}) {

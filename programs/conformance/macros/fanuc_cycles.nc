@@ -26,6 +26,13 @@ G91 G81 X5 Z-3 R0 K2
 G90 G80
 X1
 ; expect: rapid X1
+G81 X2 Z-1 R2
+; expect: rapid X2
+; expect: rapid Z2
+; expect: line Z-1 F100
+; expect: rapid Z2
+G80 X1 Y0
+; expect: rapid X1 Y0
 G51 X0 Y0 Z0 P500
 X4
 ; expect: rapid X2

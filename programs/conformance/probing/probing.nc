@@ -11,6 +11,9 @@ G38.4 X2
 G38.3 Y0
 ; expect: probe contact Y0 F50
 ; expect: request probe result
+G31 X3
+; expect: probe contact X3 F50
+; expect: request probe result
 if ($probe_ok == true) { msg ("found " + str (#5070)); }
 ; expect: message found 1
 M30

@@ -48,12 +48,27 @@ TEST_F(Probing, WithoutContactIsAnErrorOnlyWhereItIsAsked) {
     EXPECT_EQ(error_code(std::string(code) + " X5 F50\nM30\n"), "E4320") << code;
     EXPECT_EQ(error.place.line, 1);
   }
-  for (const char* const code : {"G38.3", "G38.5"}) {
+  for (const char* const code : {"G38.3", "G38.5", "G31"}) {
     EXPECT_EQ(messages(std::string(code) + " X5 F50\n" +
                        "if (!$probe_ok) { msg (str (#5061) + \" \" + str (#5070)); }\nM30\n"),
               std::vector<std::string>{"5 0"})
         << code;
   }
+}
+
+// G31 is of its block alone: the motion before goes on.
+TEST_F(Probing, OfOneBlockLeavesTheMotionAsItWas) {
+  find_at_a_point();
+  const auto list = moves("G1 X1 F50\nG31 X200\nX#5061\nX150\nM30\n");
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[1].end[0], 107.0);
+  EXPECT_EQ(list[2].end[0], 150.0);
+  EXPECT_EQ(list[2].kind, MoveKind::line);
+  const auto probes = all<ProbeMove>();
+  ASSERT_EQ(probes.size(), 1u);
+  EXPECT_TRUE(probes[0].until_contact);
+  EXPECT_FALSE(probes[0].alarm_when_missed);
+  EXPECT_EQ(error_code("G31 X200 P2 F50\nM30\n"), "E4008");
 }
 
 }  // namespace

@@ -156,6 +156,26 @@ TEST_F(RoughingTest, LeavesTheAllowanceEverywhereAndFollowsIt) {
   }
 }
 
+// Moves of the same contour with its corners written as moves of their own.
+TEST_F(RoughingTest, TakesCornersOfTheContour) {
+  const auto both = [this](const std::string& contour) {
+    std::string text;
+    for (const Move& move :
+         moves("G8 G94 F100 G0 X32 Z1\nG71 U3 R0.5\nG71 P10 Q20 U0.4 W0.1\n" + contour + "M30\n")) {
+      char one[100];
+      std::snprintf(one, sizeof one, "%d %.6f %.6f\n", static_cast<int>(move.kind), move.end[0],
+                    move.end[1]);
+      text += one;
+    }
+    return text;
+  };
+  EXPECT_EQ(both("N10 G0 X10 Z1\nG1 Z-20 ,R3\nX20 ,C2\nZ-40\nN20 X32\n"),
+            both("N10 G0 X10 Z1\nG1 Z-17\nG2 X13 Z-20 I3 K0\nG1 X18\nX20 Z-22\nZ-40\nN20 X32\n"));
+  EXPECT_EQ(error_code("G8 G94 F100 G0 X32 Z1\nG71 U3 R0.5\nG71 P10 Q20 U0.4 W0.1\n"
+                       "N10 G0 X10 Z1\nG1 Z-20 ,R30\nN20 X32\nM30\n"),
+            "E4068");
+}
+
 TEST_F(RoughingTest, CutsNoDeeperThanTheDepthOfCutAtATime) {
   const auto list =
       moves("G8 G94 F100 G0 X20 Z1\nG71 U3 R1\nG71 P1 Q2 U0.5\nN1 G0 X5\nN2 G1 Z-20\nM30\n");

@@ -1,0 +1,65 @@
+#include "lang/block/corner_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace stanok::lang {
+namespace {
+
+const NamedWord* word_called(const BlockWords& words, std::string_view name) {
+  const auto found = std::ranges::find(words.named, name, &NamedWord::name);
+  return found == words.named.end() ? nullptr : &*found;
+}
+
+// Of lengths in the plane, by scaling; none where its axes are scaled differently.
+std::optional<double> gain_in_plane(const ActiveBlock& block) {
+  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
+  const auto gain = [&block](std::size_t coordinate) {
+    return std::abs(block.modal.map.gain(block.channel_words.geometry_axis(coordinate)));
+  };
+  if (gain(plane.first) != gain(plane.second)) return std::nullopt;
+  return gain(plane.first);
+}
+
+bool has_plane(const ActiveBlock& block) {
+  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
+  return block.channel_words.geometry_axis(plane.first).exists() &&
+         block.channel_words.geometry_axis(plane.second).exists();
+}
+
+}  // namespace
+
+void read_corner(ActiveBlock& block) {
+  if (block.words.named.empty()) return;
+  const NamedWord* const chamfer = word_called(block.words, chamfer_word);
+  const NamedWord* const rounding = word_called(block.words, rounding_word);
+  const NamedWord* const word = chamfer != nullptr ? chamfer : rounding;
+  if (word == nullptr) return;
+  const WordName place{0, -1, word->name};
+  if (chamfer != nullptr && rounding != nullptr) {
+    block.fail("E4150", place, "a corner has a chamfer or a rounding", "both in one block");
+  } else if (!block.flow.moves) {
+    block.fail("E4150", place, "`" + word->name + "` needs a motion in its block", "no motion");
+  } else if (word->value < 0.0) {
+    block.fail("E4008", place, "`" + word->name + "` must not be negative", "negative");
+  } else if (!has_plane(block) || block.modal.transformation.axis >= 0) {
+    block.fail("E4150", place, "there is no corner in this plane", "needs a plane of two axes");
+  } else if (block.modal.feed.law.kind != FeedLaw::Kind::off || block.law_feed != 0.0) {
+    block.fail("E4150", place, "a feed law is not possible along a corner", "a law is active")
+        .help.emplace_back("write the corner as G1, G2 or G3 of its own");
+  } else if (const auto gain = gain_in_plane(block)) {
+    const auto kind =
+        chamfer != nullptr ? CornerRequest::Kind::chamfer : CornerRequest::Kind::rounding;
+    block.corner = {kind, word->value * block.length_unit() * *gain};
+  } else {
+    block
+        .fail("E4303", place,
+              "a corner is not possible while the axes of its plane are scaled "
+              "differently",
+              "scaled differently")
+        .notes.push_back(block.modal.origin_of(Group::scaling));
+  }
+}
+
+}  // namespace stanok::lang
