@@ -90,6 +90,11 @@ std::string_view reason_against_restoring(const ModalState& now, const ModalStat
   if ((parts & state_tool) != 0 && now.tool.active != saved.tool.active) {
     return "another tool is active";
   }
+  if ((parts & state_frames) != 0 &&
+      (now.frames.plane.is_aligned || saved.frames.plane.is_aligned) &&
+      now.frames.plane != saved.frames.plane) {
+    return "the tilted plane with which the tool is aligned differs";
+  }
   const bool tip =
       now.tool.length.mode == LengthMode::tip || saved.tool.length.mode == LengthMode::tip;
   if ((parts & (state_tool | state_length)) != 0 && tip &&
