@@ -325,6 +325,20 @@ inline constexpr auto language_rows = [] {
       {"E4345", "the points of a curve of feeds are wrong", end,
        "give 2 to 1000 points: distances ascending from 0, with a feed for each",
        "correct the program and start it again"},
+      {"E4350", "a code needs a tilted plane, and none is active", end,
+       "program the plane with G68.2 before", "correct the program and start it again"},
+      {"E4351", "G68.2 or G68.4 describes no plane", end,
+       "give points that lie on no line, or vectors square to each other",
+       "correct the program and start it again"},
+      {"E4352", "the blocks of a tilted plane are not complete", end,
+       "write all blocks of G68.2 P2 or P3 one after the other",
+       "correct the program and start it again"},
+      {"E4353", "the kinematic scheme has no rotary axes that incline the tool", end,
+       "load a scheme of the types head_table, head_head or table_table with #kinematics",
+       "correct the program and start it again"},
+      {"E4354", "the tool cannot be aligned with the tilted plane", end,
+       "take the other branch with P1 or P2, or clamp the workpiece otherwise",
+       "correct the program and start it again"},
   });
 }();
 

@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 
 #include "base/assert.h"
 #include "kinematics/angle_units.h"
@@ -56,6 +57,11 @@ class RotaryChain {
     return bits;
   }
 
+  // Outer joint first.
+  [[nodiscard]] std::span<const RotaryJoint> joints() const RT_SAFE {
+    return std::span(joints_).first(count_);
+  }
+
   template <class Scalar, class Component>
   [[nodiscard]] Vector3<Scalar> reach(const AxisVector<Scalar>& angles_deg,
                                       const Vector3<Component>& end) const RT_SAFE {
@@ -79,6 +85,23 @@ class RotaryChain {
       point -= joint.offset;
     }
     return point;
+  }
+
+  // A direction at the end of the chain as it lies outside of it, and back.
+  [[nodiscard]] Vector3<double> direction(const AxisVector<double>& angles_deg,
+                                          Vector3<double> at_end) const RT_SAFE {
+    for (std::size_t i = count_; i-- > 0;) {
+      at_end = turned(joints_[i].vector, angle(joints_[i], angles_deg), at_end);
+    }
+    return at_end;
+  }
+  [[nodiscard]] Vector3<double> direction_back(const AxisVector<double>& angles_deg,
+                                               Vector3<double> outside) const RT_SAFE {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto [sine, cosine] = angle(joints_[i], angles_deg);
+      outside = turned(joints_[i].vector, SineCosine<double>{-sine, cosine}, outside);
+    }
+    return outside;
   }
 
  private:

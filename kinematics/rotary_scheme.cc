@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kinematics/scheme.h"
 
@@ -22,6 +23,42 @@ void RotaryScheme::forward(PointMode mode, const ToolVector& tool, const AxisVec
   shift_.forward(ToolVector{}, axes_M, point_B);  // rotary axes
   const Vector3<double> tip = X + chains_.head.reach(point_B, tool.nose_to_tip_mm);
   linear_.set(chains_.table.reach_back(point_B, tip - chains_.centre), point_B);
+}
+
+// The tool stands as the head turns it and the table turns back from it:
+//   head, head     R1 R2 z = u           table, table   R1 R2 u = z
+//   head, table    Rt^T Rh z = u, whose outer turn is the one of the table backwards
+DirectionSolution RotaryScheme::directions(const Vector3<double>& tool_B) const RT_SAFE {
+  const Vector3<double> upright{0.0, 0.0, 1.0};
+  const auto head = chains_.head.joints();
+  const auto table = chains_.table.joints();
+  if (head.size() + table.size() != 2) return {};
+  if (head.size() == 1) {
+    DirectionSolution solution = solve({table[0].vector, head[0].vector, upright, tool_B});
+    solution.axes = {head[0].axis, table[0].axis};
+    for (DirectionBranch& branch : solution.branches) {
+      const double back = -branch.angles_deg[0];
+      branch.angles_deg = {branch.angles_deg[1], back <= -180.0 ? 180.0 : back + 0.0};
+      std::swap(branch.is_free[0], branch.is_free[1]);
+    }
+    return solution;
+  }
+  const auto both = head.empty() ? table : head;
+  DirectionSolution solution =
+      head.empty()
+          ? solve({both[0].vector, both[1].vector, tool_B, upright, TwoTurns::Wanted::from})
+          : solve({both[0].vector, both[1].vector, upright, tool_B});
+  solution.axes = {both[0].axis, both[1].axis};
+  return solution;
+}
+
+std::array<Vector3<double>, 3> RotaryScheme::spindle_axes(const AxisVector<double>& point_B) const
+    RT_SAFE {
+  std::array<Vector3<double>, 3> axes = Scheme::spindle_axes(point_B);
+  for (Vector3<double>& axis : axes) {
+    axis = chains_.table.direction_back(point_B, chains_.head.direction(point_B, axis));
+  }
+  return axes;
 }
 
 std::string rotary_scheme_defect(const SchemeConfig& config, const RotaryRole& first,

@@ -87,6 +87,11 @@ Scheme::Scheme(const SchemeConfig& config) : config_(std::make_unique<const Sche
 
 Scheme::~Scheme() = default;
 
+std::array<Vector3<double>, 3> Scheme::spindle_axes(const AxisVector<double>&) const RT_SAFE {
+  return {Vector3<double>{1.0, 0.0, 0.0}, Vector3<double>{0.0, 1.0, 0.0},
+          Vector3<double>{0.0, 0.0, 1.0}};
+}
+
 std::unique_ptr<const Scheme> make_scheme(const SchemeConfig& config) {
   const auto type = operations(config.type, SchemeTypes());
   if (!type || !type->defect(config).empty()) return nullptr;

@@ -16,6 +16,7 @@
 #include "base/rt_safe.h"
 #include "base/vector3.h"
 #include "kinematics/jet.h"
+#include "kinematics/tool_direction.h"
 
 namespace stanok::kinematics {
 
@@ -74,6 +75,17 @@ class Scheme {
   [[nodiscard]] virtual double distance_to_singularity(const AxisVector<double>&) const RT_SAFE {
     return std::numeric_limits<double>::infinity();
   }
+
+  // The positions of the rotary axes in which the tool points to `tool_B`, a unit vector from the
+  // tip into the spindle.
+  [[nodiscard]] virtual DirectionSolution directions(const Vector3<double>& tool_B) const RT_SAFE {
+    static_cast<void>(tool_B);
+    return {};
+  }
+  // X, Y and Z of the spindle as they lie in B: along the axes of B where no head and no table
+  // turns. Z is the direction of the tool.
+  [[nodiscard]] virtual std::array<Vector3<double>, 3> spindle_axes(
+      const AxisVector<double>& point_B) const RT_SAFE;
 
   // What most types say; a type that says something else declares the same name.
   static constexpr ChosenBy chosen_by = ChosenBy::file;

@@ -348,10 +348,83 @@ std::optional<double> execute_table_request(LiveTables& tables, const Request& r
   return visit_in_cycle(TableExecution{tables, machine_axes}, request);
 }
 
+namespace {
+
+kinematics::FirstAngle first_angle(lang::FirstRotary wanted) {
+  switch (wanted) {
+    case lang::FirstRotary::positive:
+      return kinematics::FirstAngle::positive;
+    case lang::FirstRotary::negative:
+      return kinematics::FirstAngle::negative;
+    case lang::FirstRotary::nearest:
+      break;
+  }
+  return kinematics::FirstAngle::any;
+}
+
+lang::Alignment::Outcome alignment_outcome(kinematics::DirectionChoice::Outcome outcome) {
+  using From = kinematics::DirectionChoice::Outcome;
+  using To = lang::Alignment::Outcome;
+  switch (outcome) {
+    case From::found:
+      return To::found;
+    case From::out_of_reach:
+      return To::out_of_reach;
+    case From::beyond_limit:
+      return To::beyond_limit;
+    case From::wrong_sign:
+      return To::wrong_sign;
+    case From::no_rotary_axes:
+      break;
+  }
+  return To::no_rotary_axes;
+}
+
+}  // namespace
+
 ChannelTables::ChannelTables(LiveTables& live, const MachineConfig& machine,
                              const ChannelConfig& channel)
     : live_(live), channel_(channel.id) {
-  for (const int axis : channel.axes) axis_names_.push_back(machine.axes[axis].name);
+  for (const int axis : channel.axes) {
+    const AxisConfig& config = machine.axes[axis];
+    axis_names_.push_back(config.name);
+    travel_.push_back({config.limits.position_min, config.limits.position_max});
+  }
+}
+
+// Angles of B are those of the axes without the zero of the scheme.
+lang::Alignment ChannelTables::alignment(const lang::AlignmentWish& wish) const {
+  lang::Alignment answer;
+  if (scheme_ == nullptr) return answer;
+  kinematics::DirectionWish asked;
+  asked.tool_B = vector3(wish.tool_B);
+  asked.from_B = {wish.from_B};
+  asked.first = first_angle(wish.first);
+  for (std::size_t k = 0; k < travel_.size(); ++k) {
+    asked.travel[k] = {travel_[k].min_deg - scheme_zero_[k], travel_[k].max_deg - scheme_zero_[k]};
+  }
+  const kinematics::DirectionChoice choice = kinematics::choose_direction(*scheme_, asked);
+  answer.outcome = alignment_outcome(choice.outcome);
+  if (answer.outcome == lang::Alignment::Outcome::no_rotary_axes) return answer;
+  answer.angles_B = wish.from_B;
+  for (std::size_t k = 0; k < choice.axes.size(); ++k) {
+    answer.axes = static_cast<lang::AxisSet>(answer.axes | choice.axes[k].bit());
+    answer.angles_B[choice.axes[k]] = choice.angles_deg[k];
+  }
+  answer.nearest_B = components(choice.nearest_B);
+  answer.off_deg = choice.off_deg;
+  if (!choice.axis.exists()) return answer;
+  answer.axis = choice.axis;
+  answer.needed_deg = choice.needed_deg + scheme_zero_[choice.axis];
+  answer.limit_deg = choice.limit_deg + scheme_zero_[choice.axis];
+  return answer;
+}
+
+std::array<lang::Direction, 3> ChannelTables::spindle_axes(
+    const lang::AxisValues& position_B) const {
+  if (scheme_ == nullptr) return Tables::spindle_axes(position_B);
+  const auto axes = scheme_->spindle_axes({position_B});
+  return {components(axes[0]), components(axes[1]), components(axes[2])};
 }
 
 std::optional<lang::AxisValues> ChannelTables::work_offset(int number) const {

@@ -19,6 +19,7 @@
 #include "channels/contract/machine_config.h"
 #include "channels/contract/tool_row.h"
 #include "channels/messages/request.h"
+#include "kinematics/direction_choice.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
 
@@ -151,8 +152,13 @@ class ChannelTables final : public lang::Tables {
 
   [[nodiscard]] lang::AxisSet axes_of_scheme() const override { return axes_of_scheme_; }
 
-  // The scheme that is active from now on.
+  [[nodiscard]] lang::Alignment alignment(const lang::AlignmentWish& wish) const override;
+  [[nodiscard]] std::array<lang::Direction, 3> spindle_axes(
+      const lang::AxisValues& position_B) const override;
+
+  // The scheme that is active from now on; it outlives the tables.
   void set_scheme(const kinematics::Scheme& scheme) {
+    scheme_ = &scheme;
     scheme_zero_ = scheme.config().zero;
     axes_of_scheme_ = static_cast<lang::AxisSet>(scheme.participants());
   }
@@ -161,6 +167,8 @@ class ChannelTables final : public lang::Tables {
   LiveTables& live_;
   int channel_;
   std::vector<std::string> axis_names_;
+  AxisList<kinematics::AngleTravel> travel_;  // as the axes read it
+  const kinematics::Scheme* scheme_ = nullptr;
   lang::AxisValues scheme_zero_{};
   lang::AxisSet axes_of_scheme_ = 0;
 };

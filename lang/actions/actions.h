@@ -112,6 +112,13 @@ struct ToolOverhang {
 void set_overhang(ActiveBlock& block, const ToolOverhang& overhang);
 [[nodiscard]] double overhang_in_force(const BlockSurroundings& around);
 
+// Tilted planes
+// The programmed point is the tool tip, led through the rotary axes, from here on or no longer: as
+// the plane and the code of the tool length say (actions_length.cc).
+void follow_alignment(ActiveBlock& block);
+// Fails the block: a plane is begun and not said to its end (actions_rotation.cc).
+void fail_open_plane(ActiveBlock& block, const WordName& word);
+
 // Tool length (actions_length.cc)
 // Length compensation of an edge from here on; edge 0: none.
 void use_tool_offset(ActiveBlock& block, int tool, int edge);

@@ -50,6 +50,7 @@ void restore_shifts(ActiveBlock& block, const ModalState& saved) {
   block.modal.frames.axis_shift = saved.frames.axis_shift;
   block.modal.frames.axis_shift_active = saved.frames.axis_shift_active;
   block.modal.frames.rotation = saved.frames.rotation;
+  block.modal.frames.plane = saved.frames.plane;
   block.modal.map = saved.map;
   for (const Group group : {Group::rotation, Group::scaling, Group::mirror}) {
     if (block.modal.code(group) != saved.code(group)) block.set_modal(group, saved.code(group));
@@ -83,7 +84,13 @@ void select_work_offset(ActiveBlock& block, CodeNumber code) {
 void shift_locally(ActiveBlock& block, CodeNumber) {
   const WorkFrame before = block.modal.frame();
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
-    if (is_programmed(block, i)) block.modal.frames.local_shift[i] = block.values[i];
+    if (!is_programmed(block, i)) continue;
+    TiltedPlane& plane = block.modal.frames.plane;
+    const int coordinate = block.channel.axes[i].geometry;
+    const bool within = plane.is_on && coordinate >= 0 && coordinate < 3;
+    double& shift = within ? plane.local_shift[AxisIndex(coordinate).place()]
+                           : block.modal.frames.local_shift[i];
+    shift = block.values[i];
   }
   publish_frame(block, before);
 }
@@ -109,6 +116,7 @@ AxisValues shift_to_words(const ActiveBlock& block) {
 
 // G92 X..: the point where the axes stand is called X.. from here on.
 void shift_axes(ActiveBlock& block, CodeNumber code) {
+  if (excluded_by_mode(block, code, {Exclusion::tilted_plane})) return;
   const WorkFrame before = block.modal.frame();
   if (code == g(92)) {
     if (block.has('S')) limit_speed(block);

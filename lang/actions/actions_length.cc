@@ -1,17 +1,22 @@
 // Actions of tool length compensation: G43, G43.1, G43.2, G43.4, G44, G49, and the offset of a T
-// word on lathe channels.
+// word on lathe channels; of the alignment of the tool with a tilted plane: G53.1, G53.6.
 //
 // The length in force is a base (what G43.2 found there) and the length of one edge, which is read
-// again when the tool table may have changed.
+// again when the tool table may have changed. While the tool is aligned with a plane the programmed
+// point is its tip as under G43.4, whatever code of the group is active: only so the coordinates of
+// the plane stand where the workpiece is.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "lang/actions/actions.h"
+#include "lang/feed_law/feed_law_words.h"
 
 namespace stanok::lang {
 namespace {
 
-void change_length(ActiveBlock& block, const ToolLength& after) {
+void change_length(ActiveBlock& block, ToolLength after) {
+  if (block.modal.frames.plane.is_aligned) after.mode = LengthMode::tip;
   const ToolLength before = block.modal.tool.length;
   if (before.mode == after.mode && before.tool == after.tool &&
       before.offset_mm == after.offset_mm) {
@@ -77,7 +82,143 @@ void set_by_axis_words(ActiveBlock& block) {
   change_length(block, length);
 }
 
+LengthMode mode_of(CodeNumber code) {
+  if (code == g(49)) return LengthMode::off;
+  return code == g(43, 4) ? LengthMode::tip : LengthMode::length;
+}
+
+std::string angle_text(double angle_deg) {
+  return law_number_text(std::round(angle_deg * 1e4) / 1e4 + 0.0);
+}
+
+std::string direction_text(const Direction& direction) {
+  std::string text;
+  for (std::size_t k = 0; k < 3; ++k) {
+    text += (k == 0 ? "" : " ") + std::string(1, "XYZ"[k]) + angle_text(direction[k]);
+  }
+  return text;
+}
+
+// The plane that cannot be had, what hinders, and how near the machine comes to it.
+void fail_alignment(ActiveBlock& block, CodeNumber code, const Direction& wanted_B,
+                    const Alignment& found) {
+  using Outcome = Alignment::Outcome;
+  const std::string name = "`" + code_text('G', code) + "`";
+  if (found.outcome == Outcome::no_rotary_axes) {
+    block
+        .fail("E4353", {'G', code, {}},
+              name +
+                  " has no rotary axes to turn: the kinematic scheme has none that incline the "
+                  "tool",
+              "no such axes")
+        .help.emplace_back(
+            "load a scheme of the types head_table, head_head or table_table with `#kinematics`");
+    return;
+  }
+  std::string why;
+  std::string remedy;
+  if (found.outcome == Outcome::beyond_limit) {
+    why = block.channel.axes[found.axis].word + " would have to stand at " +
+          angle_text(found.needed_deg) + " deg, its limit is " + angle_text(found.limit_deg) +
+          " deg";
+  } else if (found.outcome == Outcome::wrong_sign) {
+    why = "no position within the travel has the sign that P wants";
+  } else {
+    why = "the rotary axes cannot incline the tool so, wherever they stand";
+  }
+  const bool forced = block.has('P') && block.value('P') != 0.0;
+  BlockFault& fault = block.fail("E4354", {'G', code, {}},
+                                 name + " cannot align the tool with the plane, whose normal is " +
+                                     direction_text(wanted_B) + " of the table: " + why,
+                                 "out of reach");
+  fault.notes.push_back(block.modal.origin_of(Group::rotation));
+  constexpr double in_reach_deg = 1e-6;
+  const std::string nearest = "the nearest direction within the travel is " +
+                              direction_text(found.nearest_B) + ", " + angle_text(found.off_deg) +
+                              " deg off";
+  const bool by_sign = forced && found.off_deg < in_reach_deg;
+  fault.notes.push_back({by_sign ? "the other sign is within the travel" : nearest, {}});
+  fault.help.emplace_back(forced
+                              ? "leave P out, or clamp the workpiece otherwise"
+                              : "clamp the workpiece otherwise, or divide the work on the plane");
+}
+
+std::optional<FirstRotary> wanted_branch(ActiveBlock& block) {
+  const auto p = block.has('P') ? block.integer('P', 0, 2) : std::optional(0);
+  if (!p) return std::nullopt;
+  return *p == 0 ? FirstRotary::nearest : *p == 1 ? FirstRotary::positive : FirstRotary::negative;
+}
+
+// The rotary axes turned to where the tool is square to the plane; nothing when it cannot be.
+std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRotary first) {
+  const ModalState& modal = block.modal;
+  const WorkFrame frame = modal.frame();
+  AlignmentWish wish;
+  wish.first = first;
+  wish.from_B = frame.base_from_work(modal.position_W);
+  const Rotation plane_B = modal.frames.work_offset_rotation * modal.frames.plane.rotation;
+  wish.tool_B = components(plane_B.turned(Vector3<double>{0.0, 0.0, 1.0}));
+  const Alignment found = block.tables.alignment(wish);
+  if (found.outcome != Alignment::Outcome::found) {
+    fail_alignment(block, code, wish.tool_B, found);
+    return std::nullopt;
+  }
+  Move move;
+  move.words = found.axes;
+  move.end = modal.position_W;
+  move.path = modal.path;
+  move.stop_at_end = block.stop_at_end;
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if ((found.axes & axis_bit(i)) == 0) continue;
+    const double angle_W = found.angles_B[i] - frame.offset[i];
+    if (std::abs(angle_W - move.end[i]) > position_noise) move.end[i] = angle_W;
+  }
+  return move;
+}
+
 }  // namespace
+
+void follow_alignment(ActiveBlock& block) {
+  ToolLength length = block.modal.tool.length;
+  length.mode = mode_of(block.modal.code(Group::length));
+  change_length(block, length);
+}
+
+// The linear axes stand (G53.1), or go so that the tip stands (G53.6). Each needs its own mode of
+// the tool length, for which it waits before it turns the axes.
+void align_tool(ActiveBlock& block, CodeNumber code) {
+  const bool keeps_tip = code == g(53, 6);
+  TiltedPlane& plane = block.modal.frames.plane;
+  if (!plane.is_on) {
+    block
+        .fail("E4350", {'G', code, {}}, "`" + code_text('G', code) + "` needs a tilted plane",
+              "no plane")
+        .help.emplace_back("program the plane with `G68.2` before");
+    return;
+  }
+  if (excluded_by_mode(
+          block, code,
+          {Exclusion::radius_compensation, Exclusion::transformation, Exclusion::drilling_cycle})) {
+    return;
+  }
+  const bool under_tcp = mode_of(block.modal.code(Group::length)) == LengthMode::tip;
+  if (!keeps_tip && under_tcp && excluded_by_mode(block, code, {Exclusion::tcp})) return;
+  const auto first = wanted_branch(block);
+  if (!first) return;
+  const auto move = turn_to_plane(block, code, *first);
+  if (!move) return;
+  const bool leads_tip = block.modal.tool.length.mode == LengthMode::tip;
+  if (keeps_tip != leads_tip) {
+    plane.is_aligned = keeps_tip;
+    follow_alignment(block);
+    --block.actions_done;  // the axes turn when the position is known
+    return;
+  }
+  advance_position(block, *move);
+  block.queue.emit(*move);
+  plane.is_aligned = true;
+  follow_alignment(block);
+}
 
 void use_tool_offset(ActiveBlock& block, int tool, int edge) {
   ToolLength length;

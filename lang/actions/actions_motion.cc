@@ -16,10 +16,11 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
   const WordName word{'G', g(53), {}};
   if (excluded_by_mode(block, g(53), {Exclusion::transformation})) return;
   if (block.modal.tool.length.mode == LengthMode::tip) {
+    const auto mode = active_mode(block.modal, {Exclusion::tcp});
     BlockFault& fault =
-        block.fail("E4040", word, "`G53` is not allowed while TCP (G43.4) is active", "");
-    fault.notes.push_back(block.modal.origin_of(Group::length));
-    fault.help.push_back("switch it off with `G49` before");
+        block.fail("E4040", word, "`G53` is not allowed while " + std::string(mode->name), "");
+    fault.notes.push_back(mode->set_by);
+    fault.help.emplace_back(mode->remedy);
   } else if (code > g(1)) {
     block.fail("E4041", word, "`G53` works with G0 and G1 only", "");
   } else if (block.modal.incremental() || block.incremental != 0) {

@@ -100,6 +100,15 @@ void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
   }
 }
 
+// Between the blocks of a plane that points or vectors give there is nothing else.
+void check_open_plane(ActiveBlock& block, const BlockCodes& codes) {
+  if (!block.modal.frames.definition.is_open()) return;
+  for (const Code* const row : codes) {
+    if (row->action == CodeAction::tilt_plane) continue;
+    return fail_open_plane(block, {row->letter, row->number, {}});
+  }
+}
+
 // A word has one meaning: two codes that use the same letter need a block each. F, S and T are not
 // in question, nor are axis words; functions of the machine builder share P and Q.
 void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
@@ -168,12 +177,13 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
     const Code& row = *codes.rows[i];
     if (&row == codes.axis_user) take_polar_words(block, row);
     if (block.failed()) return;
+    block.actions_done = i + 1;
     if (&row != codes.resting_motion) function_of(row.action)(block, row.number);
     const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
+    if (block.actions_done == i) return;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
       block.set_modal(row.group, row.number);
     }
-    block.actions_done = i + 1;
     if (block.awaits_position && block.actions_done < codes.count) return;
   }
   block.awaits_position = false;
@@ -219,6 +229,7 @@ void execute_block(ActiveBlock& block) {
   check_shared_words(block, codes);
   check_incremental_words(block, codes);
   check_open_curve(block, codes);
+  check_open_plane(block, codes);
   if (block.failed()) return;
   block.flow.moves = block.programmed != 0 && codes.axis_user != nullptr &&
                      codes.axis_user->order == EffectOrder::motion;
@@ -237,6 +248,7 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   if (words.g.count == 1) motion = words.g.numbers[0];
   if (motion != g(0) && motion != g(1)) return false;
   if (block.modal.code(Group::polar) != g(15)) return false;
+  if (block.modal.frames.definition.is_open()) return false;
   const LetterSet axes = words.letters & block.channel_words.letters();
   if (axes == 0 || (words.letters & ~(axes | letter_bit('F'))) != 0) return false;
   if (words.has('F')) {

@@ -90,12 +90,21 @@ std::string_view reason_against_restoring(const ModalState& now, const ModalStat
   if ((parts & state_tool) != 0 && now.tool.active != saved.tool.active) {
     return "another tool is active";
   }
-  const bool tip =
-      now.tool.length.mode == LengthMode::tip || saved.tool.length.mode == LengthMode::tip;
+  if ((parts & state_frames) != 0 &&
+      (now.frames.plane.is_aligned || saved.frames.plane.is_aligned) &&
+      now.frames.plane != saved.frames.plane) {
+    return "the tilted plane with which the tool is aligned differs";
+  }
+  // The tip of an aligned tool is led whatever mode of its length is restored.
+  const LengthMode saved_mode =
+      now.frames.plane.is_aligned ? LengthMode::tip : saved.tool.length.mode;
+  const bool tip = now.tool.length.mode == LengthMode::tip || saved_mode == LengthMode::tip;
   if ((parts & (state_tool | state_length)) != 0 && tip &&
-      (now.tool.length.mode != saved.tool.length.mode ||
+      (now.tool.length.mode != saved_mode ||
        now.tool.length.offset_mm != saved.tool.length.offset_mm)) {
-    return "TCP (RTCP) differs";
+    const bool by_plane = now.frames.plane.is_aligned || saved.frames.plane.is_aligned;
+    return by_plane ? "the tool length differs while the tool is aligned with a tilted plane"
+                    : "TCP (RTCP) differs";
   }
   return {};
 }

@@ -21,14 +21,13 @@ namespace {
 constexpr std::string_view version = "GV1";
 
 // Where a value stands in the modal state.
-using Member =
-    std::variant<bool ModalFeed::*, double ModalFeed::*, FeedLaw ModalFeed::*,
-                 bool ModalSpindles::*, int ModalSpindles::*, double ModalSpindles::*,
-                 bool ModalSwitches::*, int ModalTool::*, double ModalTool::*, int ToolLength::*,
-                 std::array<double, 3> ToolLength::*, bool FrameSettings::*, int FrameSettings::*,
-                 AxisValues FrameSettings::*, double ProgrammedRotation::*,
-                 std::array<double, 3> ProgrammedRotation::*, double PathControl::*,
-                 CoordinateMap ModalState::*>;
+using Member = std::variant<
+    bool ModalFeed::*, double ModalFeed::*, FeedLaw ModalFeed::*, bool ModalSpindles::*,
+    int ModalSpindles::*, double ModalSpindles::*, bool ModalSwitches::*, int ModalTool::*,
+    double ModalTool::*, int ToolLength::*, std::array<double, 3> ToolLength::*,
+    bool FrameSettings::*, int FrameSettings::*, AxisValues FrameSettings::*,
+    double ProgrammedRotation::*, std::array<double, 3> ProgrammedRotation::*, bool TiltedPlane::*,
+    std::array<double, 3> TiltedPlane::*, double PathControl::*, CoordinateMap ModalState::*>;
 
 struct Field {
   StateParts part;
@@ -63,6 +62,11 @@ const auto fields = std::to_array<Field>({
     {state_frames, "turned_about", &ProgrammedRotation::axis},
     {state_frames, "turned_by", &ProgrammedRotation::angle_deg},
     {state_frames, "centre", &ProgrammedRotation::centre},
+    {state_frames, "tilted", &TiltedPlane::is_on},
+    {state_frames, "aligned", &TiltedPlane::is_aligned},
+    {state_frames, "plane", &TiltedPlane::angles_deg},
+    {state_frames, "plane_origin", &TiltedPlane::origin},
+    {state_frames, "plane_G52", &TiltedPlane::local_shift},
     {state_frames, "map", &ModalState::map},
     {state_coolant, "mist", &ModalSwitches::mist},
     {state_coolant, "flood", &ModalSwitches::flood},
@@ -127,7 +131,7 @@ template <class Owner>
 Owner& owner(ModalState& state) {
   return std::get<Owner&>(std::tie(state, state.feed, state.spindles, state.switches, state.tool,
                                    state.tool.length, state.frames, state.frames.rotation,
-                                   state.path));
+                                   state.frames.plane, state.path));
 }
 
 std::string value_text(ModalState& state, const Member& member) {
@@ -232,6 +236,11 @@ bool read_section(std::string_view text, SavedState& saved) {
   return false;
 }
 
+// By G68, also within a tilted plane, whose code is the active one then.
+bool is_turned(const ModalState& state) {
+  return state.frames.rotation.axis != std::array<double, 3>{};
+}
+
 // Modes follow from codes, codes of coolant from its state.
 void complete(ModalState& state) {
   state.set(Group::mist, state.switches.mist ? m(7) : m(9), 0);
@@ -244,7 +253,9 @@ void complete(ModalState& state) {
   state.tool.length.mode = length == g(49)      ? LengthMode::off
                            : length == g(43, 4) ? LengthMode::tip
                                                 : LengthMode::length;
-  if (state.code(Group::rotation) == g(68)) {
+  if (state.frames.plane.is_aligned) state.tool.length.mode = LengthMode::tip;
+  state.frames.plane.rotation = rotation_of(state.frames.plane.angles_deg);
+  if (is_turned(state)) {
     state.frames.rotation.rotation =
         Rotation::about(vector3(state.frames.rotation.axis), state.frames.rotation.angle_deg);
   }

@@ -94,7 +94,8 @@ struct ActiveBlock : BlockSurroundings {
 
   // An action after which the position is known only when the axes stand (TCP, M902, G12.1)
   // sets `awaits_position`. Is it still set after the execution, the first `actions_done` actions
-  // are done, and the block is to be executed again with this number when the position is known.
+  // are done, and the block is to be executed again with this number when the position is known. An
+  // action that has more to do then counts itself out again.
   bool awaits_position = false;
   std::size_t actions_done = 0;
 

@@ -24,13 +24,23 @@ void ModalSpindles::stop(std::uint16_t which) {
 WorkFrame FrameSettings::frame(const GeometryAxes& geometry) const {
   AxisValues shift = local_shift;
   for (std::size_t i = 0; axis_shift_active && i < shift.size(); ++i) shift[i] += axis_shift[i];
-  const auto turned_centre = components(rotation.rotation.turned(vector3(rotation.centre)));
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!geometry[k].exists() || rotation.rotation.is_identity()) continue;
-    shift[geometry[k]] += rotation.centre[k] - turned_centre[k];
+  const auto add = [&](const Vector3<double>& vector) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (geometry[k].exists()) shift[geometry[k]] += components(vector)[k];
+    }
+  };
+  Vector3<double> within = vector3(plane.local_shift);
+  if (!rotation.rotation.is_identity()) {
+    const Vector3<double> centre = vector3(rotation.centre);
+    within += centre - rotation.rotation.turned(centre);
+  }
+  if (plane.is_on) {
+    add(vector3(plane.origin) + plane.rotation.turned(within));
+  } else if (!rotation.rotation.is_identity()) {
+    add(within);
   }
   WorkFrame frame{turned(work_offset_rotation, geometry, shift),
-                  work_offset_rotation * rotation.rotation, geometry};
+                  work_offset_rotation * plane.rotation * rotation.rotation, geometry};
   for (std::size_t i = 0; i < shift.size(); ++i) frame.offset[i] += work_offset[i];
   return frame;
 }

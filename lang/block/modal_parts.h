@@ -13,6 +13,7 @@
 #include "lang/block/work_frame.h"
 #include "lang/contract/code_number.h"
 #include "lang/contract/command.h"
+#include "lang/planes/tilted_plane.h"
 
 namespace stanok::lang {
 
@@ -63,7 +64,7 @@ struct RepeatingSettings {
   int passes = 0;         // R; 0: not known
 };
 
-// G68: W is turned about a centre in the system that G54, G52 and G92 make.
+// G68: W is turned about a centre in the system that G54, G52, G92 and a tilted plane make.
 struct ProgrammedRotation {
   Rotation rotation;  // by `angle_deg` about `axis`
   std::array<double, 3> axis{};
@@ -188,10 +189,13 @@ struct FrameSettings {
   AxisValues local_shift{};       // G52
   AxisValues axis_shift{};        // G92
   bool axis_shift_active = true;  // false after G92.2
+  TiltedPlane plane;              // G68.2 to G68.4
+  PlaneDefinition definition;     // of the plane that G68.2 P2 or P3 has begun to say
   ProgrammedRotation rotation;    // G68
   PolarInput polar;               // G16
 
-  // p_B = work offset + its rotation * (G52 + G92 + G68 * p_W), for a channel with these X, Y, Z.
+  // p_B = work offset + its rotation * (G52 + G92 + plane * (its G52 + G68 * p_W)), for a channel
+  // with these X, Y, Z.
   [[nodiscard]] WorkFrame frame(const GeometryAxes& geometry) const;
 };
 

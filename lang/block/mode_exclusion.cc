@@ -27,7 +27,19 @@ constexpr ExcludedMode modes[] = {
      "program `G94` or `G95` before"},
     {Exclusion::rotation, Group::rotation, "the coordinate system is turned",
      "end it with `G69` before"},
+    {Exclusion::own_rotation, Group::rotation, "the coordinate system is turned by G68",
+     "end it with `G69` before"},
+    {Exclusion::tilted_plane, Group::rotation, "a tilted plane is active",
+     "end it with `G69` before"},
+    {Exclusion::scaling, Group::scaling, "the coordinates are scaled", "end it with `G50` before"},
+    {Exclusion::mirror, Group::mirror, "the coordinates are mirrored",
+     "end it with `G50.1` before"},
 };
+
+// The tool tip is led without G43.4, since the tool is aligned with a tilted plane.
+constexpr ExcludedMode aligned{Exclusion::tcp, Group::rotation,
+                               "the tool is aligned with a tilted plane",
+                               "end the plane with `G69` before"};
 
 bool is_active(const ModalState& modal, Exclusion exclusion) {
   switch (exclusion) {
@@ -45,6 +57,14 @@ bool is_active(const ModalState& modal, Exclusion exclusion) {
       return modal.feed_mode() == FeedMode::inverse_time;
     case Exclusion::rotation:
       return modal.code(Group::rotation) != g(69);
+    case Exclusion::own_rotation:
+      return !modal.frames.rotation.rotation.is_identity();
+    case Exclusion::tilted_plane:
+      return modal.frames.plane.is_on;
+    case Exclusion::scaling:
+      return modal.code(Group::scaling) != g(50);
+    case Exclusion::mirror:
+      return modal.code(Group::mirror) != g(50, 1);
   }
   return false;
 }
@@ -59,7 +79,10 @@ std::optional<ActiveMode> active_mode(const ModalState& modal,
         std::find_if(std::begin(modes), std::end(modes),
                      [exclusion](const ExcludedMode& one) { return one.exclusion == exclusion; });
     STANOK_ASSERT(mode != std::end(modes));
-    return ActiveMode{mode->name, mode->remedy, modal.origin_of(mode->group)};
+    const bool by_plane = exclusion == Exclusion::tcp && modal.frames.plane.is_aligned &&
+                          modal.code(Group::length) != g(43, 4);
+    const ExcludedMode& active = by_plane ? aligned : *mode;
+    return ActiveMode{active.name, active.remedy, modal.origin_of(active.group)};
   }
   return std::nullopt;
 }

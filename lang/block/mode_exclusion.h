@@ -16,7 +16,11 @@ enum class Exclusion : std::uint8_t {
   transformation,       // G12.1, G7.1
   drilling_cycle,
   inverse_time,  // G93
-  rotation,      // G68
+  rotation,      // G68, G68.2 to G68.4
+  own_rotation,  // G68 alone
+  tilted_plane,
+  scaling,  // G51
+  mirror,   // G51.1
 };
 struct ActiveMode {
   std::string_view name;  // "TCP (RTCP) is active"

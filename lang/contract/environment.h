@@ -17,6 +17,7 @@
 #include "base/expected.h"
 #include "lang/contract/command.h"
 #include "lang/contract/dialect.h"
+#include "lang/contract/tool_alignment.h"
 
 namespace stanok::lang {
 
@@ -149,6 +150,12 @@ class Tables {
   [[nodiscard]] virtual AxisValues scheme_zero() const = 0;
   // Axes of the channel that take part in its active scheme.
   [[nodiscard]] virtual AxisSet axes_of_scheme() const { return static_cast<AxisSet>(~0U); }
+  // Where the rotary axes of the active scheme have to stand for a direction of the tool.
+  [[nodiscard]] virtual Alignment alignment(const AlignmentWish&) const { return {}; }
+  // X, Y and Z of the spindle as they lie in B with the axes at `position_B`.
+  [[nodiscard]] virtual std::array<Direction, 3> spindle_axes(const AxisValues&) const {
+    return {Direction{1.0, 0.0, 0.0}, Direction{0.0, 1.0, 0.0}, Direction{0.0, 0.0, 1.0}};
+  }
   // Reference point 1 (G28) to reference_point_count (G30 P4) in M, per axis of the channel.
   [[nodiscard]] virtual AxisValues reference_point(int which) const = 0;
   // #500 to #999, #3901 and #3902 of the Fanuc dialect, kept through power-off; NaN: vacant.

@@ -72,6 +72,41 @@ class MemoryTables : public Tables {
     return found == tools.end() ? std::nullopt : std::optional(found->second);
   }
   [[nodiscard]] AxisValues scheme_zero() const override { return zero; }
+  // A head that B tilts about Y over a table that C turns about Z: the tool points to
+  // (sin B cos C, -sin B sin C, cos B). B reaches 100 deg to both sides.
+  [[nodiscard]] Alignment alignment(const AlignmentWish& wish) const override {
+    constexpr std::size_t b = 3;
+    constexpr std::size_t c = 4;
+    constexpr double limit = 100.0;
+    const double deg = 45.0 / std::atan(1.0);
+    const auto [x, y, z] = wish.tool_B;
+    const double tilt = deg * std::atan2(std::hypot(x, y), z);
+    const bool upright = tilt < 1e-9;
+    Alignment found;
+    found.axes = axis_bit(b) | axis_bit(c);
+    found.angles_B = wish.from_B;
+    if (tilt > limit) {
+      found.outcome = Alignment::Outcome::beyond_limit;
+      found.axis = b;
+      found.needed_deg = tilt;
+      found.limit_deg = limit;
+      return found;
+    }
+    found.outcome = Alignment::Outcome::found;
+    const bool back = wish.first == FirstRotary::negative;
+    found.angles_B[b] = upright ? 0.0 : back ? -tilt : tilt;
+    if (!upright) found.angles_B[c] = deg * std::atan2(-y, x) + (back ? 180.0 : 0.0);
+    return found;
+  }
+  [[nodiscard]] std::array<Direction, 3> spindle_axes(const AxisValues& position_B) const override {
+    const double rad = std::atan(1.0) / 45.0;
+    const double sb = std::sin(position_B[3] * rad);
+    const double cb = std::cos(position_B[3] * rad);
+    const double sc = std::sin(position_B[4] * rad);
+    const double cc = std::cos(position_B[4] * rad);
+    return {Direction{cb * cc, -cb * sc, -sb}, Direction{sc, cc, 0.0},
+            Direction{sb * cc, -sb * sc, cb}};
+  }
   [[nodiscard]] double work_offset_rotation(int number) const override {
     const auto found = rotations.find(number);
     return found == rotations.end() ? 0.0 : found->second;

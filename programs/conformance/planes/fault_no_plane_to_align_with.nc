@@ -1,0 +1,3 @@
+G53.1
+; expect error 1:1 E4350
+M30

@@ -1,0 +1,5 @@
+G68.2 P2 Q1 X0 Y0 Z0
+G68.2 P2 Q2 X1 Y1 Z1
+G68.2 P2 Q3 X2 Y2 Z2
+; expect error 3:1 E4351
+M30

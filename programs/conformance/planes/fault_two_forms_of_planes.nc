@@ -1,0 +1,4 @@
+G68.2 P2 Q1 X0 Y0 Z0
+G68.2 I10
+; expect error 2:1 E4352
+M30

@@ -1,0 +1,4 @@
+G68.2 P3 Q1 I1
+G68.2 P3 Q2 I1 K1
+; expect error 2:1 E4351
+M30

@@ -1,0 +1,212 @@
+// Tilted planes on whole machines: where the axes go, against programs that are turned by hand.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include "config/files/machine_file.h"
+#include "runtime/dry_run.h"
+#include "tests/support/project_folders.h"
+
+namespace stanok::runtime {
+namespace {
+
+using Point = Eigen::Vector3d;
+
+constexpr double deg_of_plane = 180.0 / std::numbers::pi;
+
+class PlaneProgram : public lang::Files {
+ public:
+  explicit PlaneProgram(std::string text) : text_(std::make_shared<lang::SourceText>()) {
+    text_->name = text_->path = "plane.nc";
+    text_->text = std::move(text);
+  }
+  [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> read(
+      std::string_view, std::string_view) const override {
+    return text_;
+  }
+
+ private:
+  std::shared_ptr<lang::SourceText> text_;
+};
+
+channels::MachineConfig machine_called(const std::string& name) {
+  return config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) /
+                                   "config" / "machines" / name)
+      .machine;
+}
+
+// Where the axes stand at the ends of the moves at feed, and where the tip is in the base then.
+struct FeedEnd {
+  motion::Point axes_M{};
+  motion::Point tip_B{};
+  Point tool_B;
+};
+
+std::vector<FeedEnd> feed_ends(const channels::MachineConfig& machine, const std::string& text,
+                               int scheme = -1) {
+  const PlaneProgram files(text);
+  DryRun run(machine, 1, scheme, files);
+  std::vector<FeedEnd> ends;
+  const auto keep = [&](const lang::Command&, const motion::PathBlock* block) {
+    if (block == nullptr || block->rapid) return;
+    FeedEnd end;
+    const kinematics::Transform& transform = *block->transform;
+    kinematics::inverse(transform, block->end, end.axes_M);
+    transform.scheme->forward(kinematics::PointMode::tip, transform.tool, end.axes_M, end.tip_B);
+    end.tool_B = transform.scheme->spindle_axes(end.tip_B)[2];
+    ends.push_back(end);
+  };
+  const DryRunResult result = run.run("plane.nc", Reachability::checked, keep,
+                                      [](const lang::Request&, const lang::Command&) {});
+  for (const Diagnostic& one : result.diagnostics)
+    ADD_FAILURE() << one.code << " line " << one.place.line << ": " << one.message;
+  return ends;
+}
+
+Eigen::Matrix3d plane_turn(double i_deg, double j_deg, double k_deg) {
+  const auto about = [](const Point& axis, double angle_deg) {
+    return Eigen::AngleAxisd(angle_deg / deg_of_plane, axis).toRotationMatrix();
+  };
+  return about(Point::UnitZ(), i_deg) * about(Point::UnitX(), j_deg) * about(Point::UnitZ(), k_deg);
+}
+
+std::string words(const Point& point) {
+  char text[96];
+  std::snprintf(text, sizeof text, " X%.13f Y%.13f Z%.13f", point.x(), point.y(), point.z());
+  return text;
+}
+
+// The trunnion rocks A about X over C about Z. To bring the normal n upright C turns it into the
+// plane YZ on the side of -Y, then A lifts it: A is -(angle between n and Z).
+std::string trunnion_angles(const Point& n) {
+  char text[96];
+  const double a = -deg_of_plane * std::atan2(std::hypot(n.x(), n.y()), n.z());
+  const double c = -90.0 - deg_of_plane * std::atan2(n.y(), n.x());
+  std::snprintf(text, sizeof text, " A%.13f C%.13f", a, std::remainder(c, 360.0));
+  return text;
+}
+
+TEST(TiltedPlaneOnMachine, IsTheProgramThatIsTurnedByHand) {
+  const channels::MachineConfig machine = machine_called("trunnion.toml");
+  const std::array<Point, 6> points{Point(0, 0, 5),   Point(12.5, 0, -1), Point(12.5, 9.25, -1),
+                                    Point(-4, 7, -2), Point(0, 0, 0),     Point(3, -8, 4)};
+  int planes = 0;
+  for (const double i : {0.0, 30.0, -75.0, 140.0}) {
+    for (const double j : {10.0, 25.0, 60.0}) {
+      const double k = 15.0 - i;
+      const Point origin(8.0, -5.5, -3.0);
+      const Eigen::Matrix3d turn = plane_turn(i, j, k);
+      char plane[128];
+      std::snprintf(plane, sizeof plane, "G68.2 X8 Y-5.5 Z-3 I%.1f J%.1f K%.1f\n", i, j, k);
+      const std::string head = "T2 M6\nS1000 M3\nG54 G43 H2 F500\nG0 X0 Y0 Z90\n";
+      std::string tilted = head + plane + "G53.1 P2\n";
+      std::string by_hand = head + "G0" + trunnion_angles(turn * Point::UnitZ()) + "\nG43.4 H2\n";
+      for (const Point& point : points) {
+        tilted += "G1" + words(point) + "\n";
+        by_hand += "G1" + words(origin + turn * point) + "\n";
+      }
+      const auto ends = feed_ends(machine, tilted + "G69\nM30\n");
+      const auto expected = feed_ends(machine, by_hand + "M30\n");
+      ASSERT_EQ(ends.size(), points.size());
+      ASSERT_EQ(expected.size(), points.size());
+      for (std::size_t n = 0; n < points.size(); ++n) {
+        for (std::size_t axis = 0; axis < 5; ++axis) {
+          EXPECT_NEAR(ends[n].axes_M[axis], expected[n].axes_M[axis], 1e-9)
+              << plane << "point " << n << " axis " << axis;
+        }
+      }
+      ++planes;
+    }
+  }
+  EXPECT_EQ(planes, 12);
+}
+
+struct PlaneMachine {
+  const char* name;
+  const char* machine;
+  int scheme;  // -1: the one at power-on
+};
+
+class ThreePlanes : public ::testing::TestWithParam<PlaneMachine> {};
+
+// Cycles drill along the normal, whatever axes the machine has: at the bottom of each hole the tip
+// is where the drawing has it, and the tool stands square to the plane. Mirror and rotation count
+// within the plane, the work offset below it.
+TEST_P(ThreePlanes, AreDrilledSquare) {
+  const channels::MachineConfig machine = machine_called(GetParam().machine);
+  std::string text = "T2 M6\nS1000 M3\nG54 G43 H2\nG0 X0 Y0 Z90\n";
+  std::vector<std::pair<Point, Point>> holes;  // bottom in B without the work offset, normal
+  const std::array<std::array<double, 3>, 3> planes{
+      {{0.0, 20.0, 0.0}, {90.0, 15.0, -90.0}, {-120.0, 25.0, 40.0}}};
+  for (const auto& [i, j, k] : planes) {
+    const Eigen::Matrix3d turn = plane_turn(i, j, k);
+    const Point origin(4.0, -6.0, 2.0);
+    char plane[160];
+    std::snprintf(plane, sizeof plane,
+                  "G68.2 X4 Y-6 Z2 I%.1f J%.1f K%.1f\nG53.1\nG0 X0 Y0 Z40\n"
+                  "G51.1 X0\nG68 X0 Y0 R90\nG81 X10 Y5 Z-4 R2 F200\nG80 G50.1\nG0 Z40\nG69\n",
+                  i, j, k);
+    text += plane;
+    // X10 is mirrored to -10, then a quarter turn brings (-10, 5) to (-5, -10).
+    holes.emplace_back(origin + turn * Point(-5.0, -10.0, -4.0), turn * Point::UnitZ());
+  }
+  const auto ends = feed_ends(machine, text + "M30\n", GetParam().scheme);
+  ASSERT_EQ(ends.size(), holes.size());
+  Point offset = Point(ends[0].tip_B[0], ends[0].tip_B[1], ends[0].tip_B[2]) - holes[0].first;
+  for (std::size_t n = 0; n < holes.size(); ++n) {
+    const Point tip(ends[n].tip_B[0], ends[n].tip_B[1], ends[n].tip_B[2]);
+    EXPECT_LT((tip - holes[n].first - offset).norm(), 1e-9) << "hole " << n;
+    EXPECT_LT((ends[n].tool_B - holes[n].second).norm(), 1e-9) << "hole " << n;
+  }
+  // One offset for all, and it is the work offset: it lies along Z, where the machine files have
+  // it.
+  EXPECT_LT(std::hypot(offset.x(), offset.y()), 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, ThreePlanes,
+                         ::testing::Values(PlaneMachine{"table_table", "trunnion.toml", -1},
+                                           PlaneMachine{"head_table", "e7106mf4.toml", 2}),
+                         [](const auto& info) { return info.param.name; });
+
+// The tip stands while the axes turn: its position in B is the same before and after.
+TEST(TiltedPlaneOnMachine, KeepsTheTipWhileItAligns) {
+  const channels::MachineConfig machine = machine_called("trunnion.toml");
+  const std::string begin = "T2 M6\nS1000 M3\nG54 G43.4 H2 F500\nG1 X10 Y20 Z30\nG49\nG43 H2\n";
+  const auto ends =
+      feed_ends(machine, begin + "G68.2 I30 J25\nG53.6\nG91 G1 X0 Y0 Z0\nG90 G69\nM30\n");
+  ASSERT_EQ(ends.size(), 2U);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(ends[0].tip_B[axis], ends[1].tip_B[axis], 1e-9);
+  EXPECT_GT(std::abs(ends[1].axes_M[3] - ends[0].axes_M[3]), 20.0);
+}
+
+Diagnostics checked_plane(const std::string& machine, const std::string& program) {
+  return check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program))
+      .diagnostics;
+}
+
+TEST(TiltedPlaneOnMachine, NamesAxisLimitAndTheNearestDirection) {
+  // The cradle reaches from -120 to 30 deg: P1 wants it at +50.
+  const Diagnostics found = checked_plane("trunnion.toml", "G54\nG68.2 J50\nG53.1 P1\nM30\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "E4354");
+  EXPECT_EQ(found[0].place.line, 3);
+  for (const char* part : {"A would have to stand at 50 deg", "its limit is 30 deg", "G53.1"})
+    EXPECT_NE(found[0].message.find(part), std::string::npos) << found[0].message;
+  EXPECT_FALSE(found[0].help.empty());
+  EXPECT_TRUE(checked_plane("trunnion.toml", "G54\nG68.2 J50\nG53.1\nM30\n").empty());
+}
+
+TEST(TiltedPlaneOnMachine, NeedsASchemeThatInclinesTheTool) {
+  const Diagnostics found = checked_plane("mill5.toml", "G54\nG68.2 J50\nG53.1\nM30\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "E4353");
+}
+
+}  // namespace
+}  // namespace stanok::runtime
