@@ -1,4 +1,4 @@
-import{w as or}from"./playback.svelte-9yQJ5pDH.js";import{$ as Il}from"./index-0yF5f-IZ.js";/**
+import{w as or}from"./playback.svelte-ysGqCe_T.js";import{$ as Il}from"./index-CSrixR2w.js";/**
  * @license
  * Copyright 2010-2026 Three.js Authors
  * SPDX-License-Identifier: MIT
