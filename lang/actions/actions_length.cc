@@ -170,6 +170,10 @@ std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRota
   move.stop_at_end = block.stop_at_end;
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
     if ((found.axes & axis_bit(i)) == 0) continue;
+    if (is_spindle_now(block, i)) {
+      refuse_axis_that_is_spindle(block, i);
+      return std::nullopt;
+    }
     const double angle_W = found.angles_B[i] - frame.offset[i];
     if (std::abs(angle_W - move.end[i]) > position_noise) move.end[i] = angle_W;
   }
