@@ -51,7 +51,8 @@ class ForesightTest : public ::testing::Test {
     std::ofstream(folder.path() / name) << text;
   }
   Outlook wait_for_prediction(int channel = 1) {
-    for (int n = 0; n < 3000; ++n) {
+    constexpr int looks_max = 18'000;  // three minutes: it is a thread for an idle computer
+    for (int n = 0; n < looks_max; ++n) {
       const Outlook outlook = foresight.outlook(channel, now);
       if (outlook.predicted_s) return outlook;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
