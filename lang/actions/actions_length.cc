@@ -167,7 +167,7 @@ std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRota
   move.words = found.axes;
   move.end = modal.position_W;
   move.path = modal.path;
-  move.stop_at_end = block.stop_at_end;
+  move.stop_at_end = block.end.stops;
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
     if ((found.axes & axis_bit(i)) == 0) continue;
     if (is_spindle_now(block, i)) {

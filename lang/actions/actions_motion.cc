@@ -37,7 +37,7 @@ double length_along(const ActiveBlock& block, const AxisDescription& axis) {
 }
 
 void stop_at_block_end(ActiveBlock& block, CodeNumber) {
-  block.stop_at_end = true;
+  block.end.stops = true;
 }
 
 void use_machine_coordinates(ActiveBlock& block, CodeNumber) {
@@ -56,7 +56,7 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
   move.words = block.programmed;
   move.end = block.modal.position_W;
   move.machine_coordinates = block.machine_coordinates;
-  move.stop_at_end = block.stop_at_end;
+  move.stop_at_end = block.end.stops;
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
     if ((block.programmed & axis_bit(i)) == 0) continue;
     const AxisDescription& axis = block.channel.axes[i];

@@ -71,7 +71,7 @@ void go_to_reference_point(ActiveBlock& block, CodeNumber code) {
   move.words = block.programmed != 0 ? block.programmed : all_axes(block);
   move.end = block.tables.reference_point(*which);
   move.machine_coordinates = true;
-  move.stop_at_end = block.stop_at_end;
+  move.stop_at_end = block.end.stops;
   go(block, move);
 }
 

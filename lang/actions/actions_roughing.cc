@@ -11,9 +11,9 @@
 
 #include "lang/actions/block_execution.h"
 #include "lang/actions/cycle_moves.h"
-#include "lang/block/corner_stage.h"
 #include "lang/block/other_controls.h"
 #include "lang/block/turned_contour.h"
+#include "lang/corners/corner_stage.h"
 
 namespace stanok::lang {
 namespace {
@@ -123,7 +123,7 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
       fail_contour(block, code,
                    "line " + std::to_string(one.origin.line) + ": " + inner.fault->message);
     } else {
-      corners.select(inner.corner, modal.plane(), start_W);
+      corners.select(inner.end.corner, modal.plane(), start_W);
       cut_corners(block, code, queue, corners);
       collect_moves(block, code, corners.ready(), moves);
     }

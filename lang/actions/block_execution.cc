@@ -6,8 +6,9 @@
 #include "lang/actions/action_table.h"
 #include "lang/actions/actions.h"
 #include "lang/block/block_check.h"
-#include "lang/block/corner_words.h"
 #include "lang/block/other_controls.h"
+#include "lang/corners/corner_words.h"
+#include "lang/words/corner_word.h"
 #include "lang/words/law_address.h"
 
 namespace stanok::lang {

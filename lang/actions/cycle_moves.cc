@@ -52,7 +52,7 @@ Move CycleMoves::move_to(MoveKind kind, TurningPoint end) const {
 void CycleMoves::go(MoveKind kind, TurningPoint end) {
   Move move = move_to(kind, end);
   if (move.words == 0 || block_.failed()) return;
-  move.stop_at_end = block_.stop_at_end;
+  move.stop_at_end = block_.end.stops;
   resolve_feed(block_, move);
   if (block_.failed()) return;
   advance_position(block_, move);

@@ -71,7 +71,7 @@ void HoleMoves::go(Move move, double level) {
   move.words = axis_bit(axis_);
   move.end = block_.modal.position_W;
   move.end[axis_] = level;
-  move.stop_at_end = block_.stop_at_end;
+  move.stop_at_end = block_.end.stops;
   move.path = block_.modal.path;
   advance_position(block_, move);
   block_.queue.emit(move);

@@ -9,11 +9,11 @@
 
 #include "base/diagnostic.h"
 #include "lang/block/command_queue.h"
-#include "lang/block/corner_cut.h"
 #include "lang/block/modal_state.h"
 #include "lang/block/probe_result.h"
 #include "lang/block/state_stack.h"
 #include "lang/contract/environment.h"
+#include "lang/elements/corner_cut.h"
 #include "lang/words/block_fault.h"
 #include "lang/words/block_words.h"
 #include "lang/words/channel_words.h"
@@ -72,6 +72,12 @@ struct BlockSurroundings {
   ContourSource* contours = nullptr;
 };
 
+// How the motion of a block ends.
+struct BlockEnd {
+  bool stops = false;    // G9
+  CornerRequest corner;  // ,C or ,R
+};
+
 struct ActiveBlock : BlockSurroundings {
   ActiveBlock(const BlockWords& block_words, const BlockSurroundings& surroundings,
               std::uint32_t block_line)
@@ -87,8 +93,7 @@ struct ActiveBlock : BlockSurroundings {
   AxisValues values{};
 
   bool machine_coordinates = false;  // G53
-  bool stop_at_end = false;          // G9
-  CornerRequest corner;              // ,C or ,R
+  BlockEnd end;                      // of its motion
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
   double law_feed = 0.0;  // of its motion, from the feed law of the block; 0: it has none
 

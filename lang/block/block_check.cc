@@ -4,10 +4,10 @@
 #include <array>
 #include <string>
 
-#include "lang/block/corner_words.h"
 #include "lang/block/feed_law_rules.h"
 #include "lang/block/macro_arguments.h"
 #include "lang/block/other_controls.h"
+#include "lang/words/corner_word.h"
 #include "lang/words/law_address.h"
 #include "lang/words/named_address.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "lang/block/corner_words.h"
 #include "lang/text/source.h"
+#include "lang/words/corner_word.h"
 
 namespace stanok::lang {
 namespace {

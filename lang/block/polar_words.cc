@@ -10,7 +10,7 @@
 
 #include "base/angle.h"
 #include "lang/block/axis_words.h"
-#include "lang/block/plane_element.h"
+#include "lang/elements/plane_element.h"
 
 namespace stanok::lang {
 namespace {

@@ -22,7 +22,7 @@
 #include "lang/block/active_block.h"
 #include "lang/block/command_queue.h"
 #include "lang/block/fault_of_command.h"
-#include "lang/block/plane_element.h"
+#include "lang/elements/plane_element.h"
 
 namespace stanok::lang {
 

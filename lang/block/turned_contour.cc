@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lang/block/plane_element.h"
+#include "lang/elements/plane_element.h"
 
 namespace stanok::lang {
 namespace {

@@ -215,7 +215,7 @@ bool BlockRunner::select_stages(const ActiveBlock& block, const AxisValues& star
                   "radius compensation changes here"));
     return false;
   }
-  corners_.select(block.corner, modal.plane(), start_W);
+  corners_.select(block.end.corner, modal.plane(), start_W);
   if (auto fault = compensation_.select(modal.compensation, start_W)) {
     fail_earlier(std::move(*fault));
     return false;

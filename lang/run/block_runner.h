@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "lang/block/corner_stage.h"
 #include "lang/block/radius_compensation.h"
 #include "lang/contract/active_codes.h"
+#include "lang/corners/corner_stage.h"
 #include "lang/program/code.h"
 #include "lang/run/block_state.h"
 #include "lang/run/interpreter.h"

@@ -1,8 +1,10 @@
-#include "lang/block/corner_words.h"
+#include "lang/corners/corner_words.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "lang/words/corner_word.h"
 
 namespace stanok::lang {
 namespace {
@@ -51,7 +53,7 @@ void read_corner(ActiveBlock& block) {
   } else if (const auto gain = gain_in_plane(block)) {
     const auto kind =
         chamfer != nullptr ? CornerRequest::Kind::chamfer : CornerRequest::Kind::rounding;
-    block.corner = {kind, word->value * block.length_unit() * *gain};
+    block.end.corner = {kind, word->value * block.length_unit() * *gain};
   } else {
     block
         .fail("E4303", place,

@@ -1,4 +1,4 @@
-#include "lang/block/plane_element.h"
+#include "lang/elements/plane_element.h"
 
 #include <algorithm>
 #include <array>

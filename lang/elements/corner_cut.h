@@ -3,10 +3,12 @@
 //
 // The chamfer begins and ends at its size from the corner, in a straight line: along lines, and as
 // a chord of arcs. The rounding is the arc of its radius between both elements, on the inside of
-// the corner. Plane coordinates as in lang/block/plane_element.h; mm, rad.
+// the corner. Plane coordinates as in lang/elements/plane_element.h; mm, rad.
 #pragma once
 
-#include "lang/block/plane_element.h"
+#include <cstdint>
+
+#include "lang/elements/plane_element.h"
 
 namespace stanok::lang {
 

@@ -1,4 +1,4 @@
-#include "lang/block/corner_stage.h"
+#include "lang/corners/corner_stage.h"
 
 #include <string>
 #include <utility>

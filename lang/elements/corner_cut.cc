@@ -1,4 +1,4 @@
-#include "lang/block/corner_cut.h"
+#include "lang/elements/corner_cut.h"
 
 #include <cmath>
 #include <numbers>
