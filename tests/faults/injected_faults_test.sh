@@ -50,7 +50,7 @@ start_traced() {
 # await_kept VALUE
 await_kept() {
   local k
-  for ((k = 0; k < 100; ++k)); do
+  for ((k = 0; k < 1200; ++k)); do # a minute: strace is slow on a loaded computer
     grep -q "X = $1.0" "$tables" 2>/dev/null && return
     sleep 0.05
   done
