@@ -60,6 +60,9 @@ class BlockRunner {
   [[nodiscard]] CommandQueue& compensated() { return compensation_.ready(); }
   bool compensate();
 
+  // A move with `,C` or `,R` waits for the next one.
+  [[nodiscard]] bool holds_corner() const { return corners_.holds(); }
+
   // The axes stand at `position_B`, or at least the queue is empty.
   void adopt_position(const AxisValues& position_B);
   void read_tables_again();

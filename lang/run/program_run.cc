@@ -147,6 +147,9 @@ bool ProgramRun::stops_here() {
   if (state_.modal.compensation.on()) {
     vm_.fail("E6042", "a program cannot be entered while radius compensation is active",
              "search for the block before G41 or G42");
+  } else if (blocks_.holds_corner()) {
+    vm_.fail("E6042", "a program cannot be entered between the two moves of a corner",
+             "search for the block with `,C` or `,R`");
   }
   return true;
 }

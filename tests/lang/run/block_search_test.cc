@@ -191,6 +191,17 @@ TEST_F(BlockSearchTest, InsideRadiusCompensationNoProgramIsEntered) {
   EXPECT_EQ(ended, "E6042");
 }
 
+// The axes would go to the end of the move before it first.
+TEST_F(BlockSearchTest, BehindTheMoveOfACornerNoProgramIsEntered) {
+  const std::string text = "G1 X10 F100\nY20 ,R2\nX0\nY0\nM30\n";
+  search(text, line(3));
+  EXPECT_EQ(ended, "E6042");
+  search(text, line(4));
+  EXPECT_NE(ended, "E6042");
+  search(text, line(2));
+  EXPECT_NE(ended, "E6042");
+}
+
 TEST_F(BlockSearchTest, WithoutCalculationTheDefaultStateIsInForce) {
   EXPECT_THAT(run_at("G91 G0 X5\nX6\nX7\nM30\n", line(2)), ElementsAre(6.0, 7.0));
 }
