@@ -220,6 +220,33 @@ class Windows(WithServer):
             window.receive()
         window.close()
 
+    def test_a_daemon_that_goes_while_a_message_goes_wrong_leaves_no_place_taken(self):
+        def answer_or_go(request, answer=self.daemon.answer_to):
+            if request["method"] == "go":
+                raise OSError
+            return answer(request)
+
+        self.daemon.answer_to = answer_or_go
+        for round_of_test in range(200):
+            window = self.browser.open_window()
+            window.receive()
+            with contextlib.suppress(OSError):
+                window.send({"jsonrpc": "2.0", "id": 1, "method": "go", "params": {}})
+                window.socket.sendall(b"\x81\x8a\0\0\0\0ab")  # 2 of 10 bytes of a text
+                time.sleep(round_of_test % 20 * 2e-4)
+                window.socket.sendall(b"\xff" * 8)  # which are no text
+                window.socket.shutdown(socket.SHUT_WR)
+            window.close()
+        self.daemon.wait_until(lambda daemon: daemon.open == 0)
+        places = []
+        end = time.monotonic() + PATIENCE_S
+        while len(places) < 60 and time.monotonic() < end:
+            with contextlib.suppress(Refused):
+                places.append(self.browser.open_window())
+        self.assertEqual(len(places), 60)
+        for window in places:
+            window.close()
+
     def test_there_are_sixty_places(self):
         windows = [self.browser.open_window() for _ in range(60)]
         with self.assertRaises(Refused) as refused:

@@ -13,7 +13,7 @@ using asio::local::stream_protocol;
 asio::awaitable<bool> MachineConnection::connect(const std::filesystem::path& socket) {
   const std::string path = socket.string();
   // A longer name does not fit into an address of the system.
-  if (path.size() >= sizeof(sockaddr_un::sun_path)) co_return false;
+  if (is_closed_ || path.size() >= sizeof(sockaddr_un::sun_path)) co_return false;
   const stream_protocol::endpoint endpoint(path);
   const auto [error] =
       co_await socket_.async_connect(endpoint, asio::as_tuple(asio::use_awaitable));
@@ -46,6 +46,7 @@ asio::awaitable<bool> MachineConnection::send(std::string line) {
 }
 
 void MachineConnection::close() {
+  is_closed_ = true;
   boost::system::error_code ignored;
   ignored = socket_.close(ignored);
 }

@@ -24,20 +24,21 @@ class MachineConnection {
         frames_(line_bytes_max),
         turn_(executor, boost::asio::steady_timer::time_point::max()) {}
 
-  // False: nobody listens there.
+  // False: nobody listens there, or it has been closed.
   [[nodiscard]] boost::asio::awaitable<bool> connect(const std::filesystem::path& socket);
   // The next line without its end; nothing: the connection has ended, or a line was too long.
   [[nodiscard]] boost::asio::awaitable<std::optional<std::string>> next_line();
   // False: the connection has ended. The line comes without its end. Several may send: lines stay
   // whole.
   [[nodiscard]] boost::asio::awaitable<bool> send(std::string line);
-  // At once; what is under way on it fails.
+  // At once and for ever; what is under way on it fails.
   void close();
 
  private:
   boost::asio::local::stream_protocol::socket socket_;
   protocol::FrameReader frames_;
   std::array<char, 65536> received_{};
+  bool is_closed_ = false;
   bool is_sending_ = false;
   boost::asio::steady_timer turn_;  // cancelled when the next one may send
 };

@@ -48,6 +48,7 @@ MachineWindow::MachineWindow(std::shared_ptr<ClientStream> stream, WebSession se
     : stream_(std::move(stream)),
       websocket_(*stream_),
       machine_(stream_->get_executor()),
+      read_end_(stream_->get_executor()),
       session_(std::move(session)) {}
 
 void MachineWindow::set_bounds() {
@@ -66,6 +67,7 @@ asio::awaitable<void> MachineWindow::serve(Request request, std::filesystem::pat
   if (!is_accepted) co_return close();
   const bool has_entered = co_await enter(std::move(socket));
   if (!has_entered) co_return close();
+  is_reading_ = true;
   asio::co_spawn(stream_->get_executor(), pass_to_machine(shared_from_this()), asio::detached);
   co_await pass_to_browser();
   close();
@@ -156,11 +158,19 @@ asio::awaitable<void> MachineWindow::pass_to_browser() {
     const bool is_passed = co_await pass(std::move(*line));
     if (!is_passed) co_return;
   }
-  if (!websocket_.is_open()) co_return;
-  const websocket::close_reason reason(websocket::close_code::going_away);
-  const auto [ignored] =
-      co_await websocket_.async_close(reason, asio::as_tuple(asio::use_awaitable));
-  static_cast<void>(ignored);
+  co_await outlast_browser();
+}
+
+// Beast's own end of a WebSocket cannot be used while a message is read: when that fails meanwhile,
+// each waits for the other for ever. What was written last gets lost when the connection ends with
+// something unread.
+asio::awaitable<void> MachineWindow::outlast_browser() {
+  boost::system::error_code ignored;
+  auto& socket = stream_->next_layer().socket();
+  ignored = socket.shutdown(asio::socket_base::shutdown_send, ignored);
+  if (!is_reading_) co_return;
+  read_end_.expires_after(outlast_time_max);
+  static_cast<void>(co_await read_end_.async_wait(asio::as_tuple(asio::use_awaitable)));
 }
 
 asio::awaitable<void> MachineWindow::pass_to_machine(std::shared_ptr<MachineWindow> self) {
@@ -174,6 +184,8 @@ asio::awaitable<void> MachineWindow::pass_to_machine(std::shared_ptr<MachineWind
   }
   // The daemon lets go of what this connection held, a jog first of all.
   self->machine_.close();
+  self->is_reading_ = false;
+  self->read_end_.cancel();
 }
 
 void MachineWindow::close() {

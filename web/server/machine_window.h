@@ -9,6 +9,7 @@
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <chrono>
@@ -28,6 +29,8 @@ class MachineWindow : public std::enable_shared_from_this<MachineWindow> {
  public:
   using Time = std::chrono::steady_clock::time_point;
   static constexpr auto write_time_max = std::chrono::seconds(10);
+  // For a browser to end its side when the daemon has gone.
+  static constexpr auto outlast_time_max = std::chrono::seconds(2);
 
   MachineWindow(std::shared_ptr<ClientStream> stream, WebSession session);
 
@@ -55,12 +58,15 @@ class MachineWindow : public std::enable_shared_from_this<MachineWindow> {
   [[nodiscard]] boost::asio::awaitable<bool> pass(std::string line);
   [[nodiscard]] boost::asio::awaitable<void> turn_away(std::string code, std::string reason);
   [[nodiscard]] boost::asio::awaitable<void> pass_to_browser();
+  [[nodiscard]] boost::asio::awaitable<void> outlast_browser();
   [[nodiscard]] static boost::asio::awaitable<void> pass_to_machine(
       std::shared_ptr<MachineWindow> self);
 
   std::shared_ptr<ClientStream> stream_;
   WebSocket websocket_;
   MachineConnection machine_;
+  bool is_reading_ = false;             // pass_to_machine is under way
+  boost::asio::steady_timer read_end_;  // cancelled when it ends
   WebSession session_;
   boost::beast::flat_buffer received_;
   std::optional<Time> write_begun_;

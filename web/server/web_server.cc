@@ -112,7 +112,8 @@ WebServer::Parts::Parts(const WebOptions& options)
 asio::awaitable<void> WebServer::Parts::accept() {
   while (acceptor.is_open()) {
     auto [error, socket] = co_await acceptor.async_accept(asio::as_tuple(asio::use_awaitable));
-    if (error == asio::error::operation_aborted) co_return;
+    // Who came before the end and was not served yet is not served any more.
+    if (error == asio::error::operation_aborted || !acceptor.is_open()) co_return;
     if (!error) {
       admit(std::move(socket));
       continue;
