@@ -16,7 +16,7 @@ export const root = fileURLToPath(new URL('../../', import.meta.url));
 const bin = process.env.STANOK_BIN ?? join(root, 'build/release/bin');
 const chromiumPath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
 
-const patience_ms = 15_000;
+const patience_ms = 60_000;
 
 /** Of the users `observer` and `operator`. */
 export const password = 'a long password';
