@@ -310,6 +310,20 @@ class Users(WithUsers):
         self.assertEqual(json.loads(self.daemon.lines[1])["method"], "program.start")
         window.close()
 
+    def test_however_many_look_on_one_can_work(self):
+        self.user("add", "olga", "--role", "observer")
+        self.wait_for_user("olga")
+        windows = [self.browser.open_window() for _ in range(50)]
+        with self.assertRaises(Refused) as refused:
+            self.browser.open_window()
+        self.assertEqual(refused.exception.status, 503)
+        anna = Browser(self.web)
+        anna.enter("anna", self.PASSWORD)
+        windows.append(anna.open_window())
+        self.assertEqual(windows[-1].receive()["params"]["role"], "operator")
+        for window in windows:
+            window.close()
+
     def test_without_the_role_there_is_no_window(self):
         self.daemon.answer_to = lambda request: json.dumps(
             {"jsonrpc": "2.0", "id": request["id"], "error": {"code": -32601, "message": "no"}}).encode() + b"\n"

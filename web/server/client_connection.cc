@@ -130,7 +130,7 @@ Expected<WebSession, Answer> ClientConnection::visitor_of(const Request& request
     return refused(Status::forbidden, "a WebSocket needs the field Origin");
   const auto session = house_.doorkeeper.session_of(request);
   if (!session) return refused(Status::unauthorized, "there is no session");
-  if (!house_.has_room_for_window())
+  if (!house_.has_room_for_window_of(session->visitor.role))
     return refused(Status::service_unavailable, "too many pages are open");
   return *session;
 }

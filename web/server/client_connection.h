@@ -27,7 +27,7 @@ struct House {
   Doorkeeper& doorkeeper;
   MachineGlance& machine;
   // Whether there is room for one more window to the machine.
-  std::function<bool()> has_room_for_window;
+  std::function<bool(protocol::Role)> has_room_for_window_of;
 };
 
 class ClientConnection : public std::enable_shared_from_this<ClientConnection> {

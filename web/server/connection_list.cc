@@ -45,8 +45,14 @@ std::vector<std::shared_ptr<ClientConnection>> ConnectionList::windows() const {
   return windows;
 }
 
-bool ConnectionList::has_room_for_window() const {
-  return windows().size() < windows_max;
+bool ConnectionList::has_room_for_window_of(protocol::Role role) const {
+  const auto open = windows();
+  const auto is_of_observer = [](const auto& one) {
+    return one->window()->session().visitor.role == protocol::Role::observer;
+  };
+  const auto of_observers = static_cast<std::size_t>(std::ranges::count_if(open, is_of_observer));
+  return open.size() < windows_max &&
+         (role != protocol::Role::observer || of_observers < windows_of_observers_max);
 }
 
 std::vector<std::uint64_t> ConnectionList::sessions() const {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "protocol/method_table.h"
 #include "web/server/client_connection.h"
 
 namespace stanok::web {
@@ -18,6 +19,8 @@ class ConnectionList {
   using Time = ClientConnection::Time;
   static constexpr std::size_t connections_max = 256;
   static constexpr std::size_t windows_max = 60;  // the daemon has 64 places
+  // The rest is for those who work the machine, however many look on.
+  static constexpr std::size_t windows_of_observers_max = 50;
 
   // Makes room before; false: there is none.
   [[nodiscard]] bool make_room_for_one();
@@ -27,7 +30,7 @@ class ConnectionList {
   [[nodiscard]] std::uint64_t add(const std::shared_ptr<ClientConnection>& connection);
   void forget(std::uint64_t id) { connections_.erase(id); }
 
-  [[nodiscard]] bool has_room_for_window() const;
+  [[nodiscard]] bool has_room_for_window_of(protocol::Role role) const;
   // Of the pages that are open.
   [[nodiscard]] std::vector<std::uint64_t> sessions() const;
   void end_windows_of(const std::vector<std::uint64_t>& sessions);

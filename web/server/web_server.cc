@@ -99,7 +99,9 @@ WebServer::Parts::Parts(const WebOptions& options)
             .reception = reception,
             .doorkeeper = doorkeeper,
             .machine = machine,
-            .has_room_for_window = [this] { return connections.has_room_for_window(); }} {
+            .has_room_for_window_of = [this](protocol::Role role) {
+              return connections.has_room_for_window_of(role);
+            }} {
   if (!options.listen.address().is_loopback() && !doorkeeper.has_users())
     throw UsageError(options.users.string() +
                      ": there is no user yet; stanok-web user add NAME --role ROLE --users FILE");
