@@ -70,7 +70,9 @@ MaybeStatement MacroLineParser::parse_if() {
   branch.condition = std::move(*condition);
   scanner_.skip_blanks(LineEnds::significant);
   if (keyword_ahead() == goto_word) return parse_then(branch);
-  if (!take_word("then")) {
+  const bool has_then = take_word("then");
+  const bool needs_none = cursor_.source().rules().is_haas() && !scanner_.at_line_end();
+  if (!has_then && !needs_none) {
     cursor_.report_unexpected(scanner_.peek(LineEnds::significant),
                               "`GOTO` or `THEN` after the condition");
     return std::nullopt;

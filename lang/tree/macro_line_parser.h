@@ -1,6 +1,7 @@
 // Macro lines of Fanuc and Haas: IF, WHILE, DO, END and GOTO.
 //
 //   IF [..] GOTO n   IF [..] THEN block   IF [..] THEN / ELSE / ENDIF   GOTO n
+//   IF [..] block   of Haas, where THEN may be left out
 //   WHILE [..] DO m ... END m             DO m ... END m
 //   POPEN   DPRNT[text#1[53]]   BPRNT[..]   PCLOS
 //

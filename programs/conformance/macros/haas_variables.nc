@@ -35,6 +35,13 @@ X#1
 ; expect: rapid X1
 ; expect: rapid X2
 ; expect: rapid X3
+; THEN may be left out.
+IF [#1 EQ 3] X#1 F600
+; expect: rapid X3
+IF [#1 EQ 4] X9
+IF[#1 EQ 3]#1=6
+X#1
+; expect: rapid X6
 ; G100 and G101 are the mirror.
 G101 X1
 X5
