@@ -116,6 +116,11 @@ function(stanok_tests folder)
   foreach(library IN LISTS ARG_LIBRARIES)
     target_link_libraries(${folder}_tests PRIVATE stanok_dep_${library})
   endforeach()
+  # ThreadSanitizer makes a program ten times slower; the limit is there to end what hangs.
+  set(timeout_s 300)
+  if(STANOK_SANITIZE STREQUAL "thread")
+    set(timeout_s 1500)
+  endif()
   gtest_discover_tests(${folder}_tests TEST_PREFIX ${folder}. DISCOVERY_MODE PRE_TEST
-                       PROPERTIES TIMEOUT 300)
+                       PROPERTIES TIMEOUT ${timeout_s})
 endfunction()
