@@ -34,7 +34,7 @@ AssemblyOptions checked(AssemblyOptions options) {
 struct Assembly::Parts {
   explicit Parts(AssemblyOptions given)
       : options(checked(std::move(given))),
-        files(options.program_roots, options.file.machine.program_bounds.bytes, &texts),
+        files(options.program_roots, program_format(options.file.machine), &texts),
         force_controls(options.file),
         machine(options.file.machine, files, force_controls.given_to(options.machine)),
         process_plant(simulates_a_cut(options) ? std::make_unique<ProcessPlant>(options.file)

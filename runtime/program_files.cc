@@ -14,6 +14,7 @@
 #include "base/file_descriptor.h"
 #include "base/place.h"
 #include "base/system_error.h"
+#include "base/text_encoding.h"
 
 namespace stanok::runtime {
 namespace {
@@ -105,8 +106,12 @@ std::string similar_name(const fs::path& folder, std::string_view name) {
 
 }  // namespace
 
-ProgramFiles::ProgramFiles(std::vector<fs::path> roots, std::size_t bytes_max, TextBook* book)
-    : roots_(std::move(roots)), bytes_max_(bytes_max), book_(book) {}
+ProgramFormat program_format(const channels::MachineConfig& machine) {
+  return {machine.program_bounds.bytes, machine.program_encoding};
+}
+
+ProgramFiles::ProgramFiles(std::vector<fs::path> roots, ProgramFormat format, TextBook* book)
+    : roots_(std::move(roots)), format_(std::move(format)), book_(book) {}
 
 std::vector<fs::path> ProgramFiles::folders_for(std::string_view from) const {
   std::vector<fs::path> folders;
@@ -152,12 +157,12 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
       }
       continue;
     }
-    auto text = read_all(file.number(), name, bytes_max_);
+    auto text = read_all(file.number(), name, format_.bytes_max);
     if (!text) return Unexpected<Diagnostic>(text.error());
     auto source = std::make_shared<lang::SourceText>();
     source->name = std::string(name);
     source->path = (folder / name).lexically_normal().string();
-    source->text = std::move(*text);
+    source->text = text_from(std::move(*text), format_.encoding);
     return Text(std::move(source));
   }
   std::string help;

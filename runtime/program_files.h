@@ -2,25 +2,33 @@
 // (docs/reference/language.md#files-and-numbered-programs).
 //
 // Names are relative and stay beneath the root that they are found in, through symbolic links too
-// (openat2, RESOLVE_BENEATH). A text is read once and whole; only regular files are read. Any
+// (openat2, RESOLVE_BENEATH). A text is read once and whole, and is UTF-8 from here on as far as
+// its encoding is known (base/text_encoding.h); only regular files are read. Any
 // thread; holds no state but the roots.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "channels/contract/machine_config.h"
 #include "lang/contract/environment.h"
 #include "runtime/text_book.h"
 
 namespace stanok::runtime {
 
+// What a program file may be.
+struct ProgramFormat {
+  std::size_t bytes_max = 0;  // longer files are refused before they are read
+  std::string encoding;       // of files that are not UTF-8; empty: unknown
+};
+
 class ProgramFiles final : public lang::Files {
  public:
   // Searched in order after the folder of the text that names the file; each with its programs/,
   // subprograms/ and cycles/.
-  // Longer files than `bytes_max` are refused before they are read.
   // What was asked for is noted in `book`, which outlives this; nullptr: nowhere.
-  ProgramFiles(std::vector<std::filesystem::path> roots, std::size_t bytes_max,
+  ProgramFiles(std::vector<std::filesystem::path> roots, ProgramFormat format,
                TextBook* book = nullptr);
 
   [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> read(
@@ -32,8 +40,10 @@ class ProgramFiles final : public lang::Files {
   [[nodiscard]] std::vector<std::filesystem::path> folders_for(std::string_view from) const;
 
   std::vector<std::filesystem::path> roots_;
-  std::size_t bytes_max_;
+  ProgramFormat format_;
   TextBook* book_;
 };
+
+[[nodiscard]] ProgramFormat program_format(const channels::MachineConfig& machine);
 
 }  // namespace stanok::runtime

@@ -131,6 +131,7 @@ struct MachineConfig {
   bool unnamed_tools = true;
   bool tables_write_protected = false;  // against programs
   lang::ProgramBounds program_bounds;
+  std::string program_encoding;  // of files that are not UTF-8; empty: unknown
 };
 
 }  // namespace stanok::channels

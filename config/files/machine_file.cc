@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/place.h"
+#include "base/text_encoding.h"
 #include "config/files/tables_file.h"
 #include "config/sections/axis_section.h"
 #include "config/sections/channel_section.h"
@@ -114,6 +115,12 @@ class MachineReader {
     file_.machine.program_bounds = {
         .bytes = checked_size(section.program_size_max_mb) << 20,
         .steps = static_cast<std::uint64_t>(section.program_steps_max_m) * 1'000'000};
+    if (!section.program_encoding.empty() && !is_encoding_of_programs(section.program_encoding)) {
+      scope.fault(place_of(*top_.machine, "program_encoding"),
+                  "`" + section.program_encoding +
+                      "` is no encoding that contains ASCII; `iconv --list` has the names");
+    }
+    file_.machine.program_encoding = section.program_encoding;
     if (!section.tables.empty()) read_tables_named(section.tables, scope);
   }
 

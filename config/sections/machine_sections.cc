@@ -81,6 +81,10 @@ const Keys<MachineSection>& machine_keys() {
        "interpret, "
        "steps of a run",
        from(1, 1'000'000)},
+      {"program_encoding", at<&MachineSection::program_encoding>, optional, "",
+       "encoding of program files that are not UTF-8, by its name in iconv: cp1251, cp866, "
+       "iso-8859-1",
+       any, "none: what is not UTF-8 becomes U+FFFD"},
   };
   return keys;
 }

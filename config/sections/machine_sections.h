@@ -17,6 +17,7 @@ struct MachineSection {
   bool tables_write_protected = false;
   int program_size_max_mb = 256;
   int program_steps_max_m = 1000;
+  std::string program_encoding;  // empty: UTF-8
 };
 
 [[nodiscard]] const Keys<MachineSection>& machine_keys();

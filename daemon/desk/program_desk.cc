@@ -103,7 +103,7 @@ CommandResult estimate_of(const runtime::SimulationOptions& options, const std::
 ProgramDesk::ProgramDesk(RunningMachine& machine) : machine_(machine) {}
 
 ProgramFolder ProgramDesk::folder() const {
-  return {machine_.program_root(), machine_.file().machine.program_bounds.bytes};
+  return {machine_.program_root(), runtime::program_format(machine_.file().machine)};
 }
 
 void ProgramDesk::list(int session, Answer answer) {
@@ -186,7 +186,7 @@ void ProgramDesk::check(int session, const json& parameters, int channel, Answer
       session,
       [machine = std::move(machine), roots = machine_.program_roots(), name, channel, scheme,
        unsaved = std::move(unsaved)](const std::stop_token& stop) -> CommandResult {
-        const runtime::ProgramFiles files(roots, machine.program_bounds.bytes);
+        const runtime::ProgramFiles files(roots, runtime::program_format(machine));
         const runtime::OverlaidFiles with_unsaved(files, name, unsaved);
         const auto result = runtime::check_program(machine, channel, scheme, name, with_unsaved,
                                                    [&stop] { return stop.stop_requested(); });

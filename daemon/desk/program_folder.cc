@@ -83,7 +83,7 @@ Failure failure_of_diagnostic(const Diagnostic& diagnostic) {
 }
 
 Expected<std::optional<StoredProgram>, Failure> ProgramFolder::look(const std::string& name) const {
-  const runtime::ProgramFiles files({root_}, bytes_max_);
+  const runtime::ProgramFiles files({root_}, format_);
   const auto found = files.read(name, "");
   if (found) {
     return std::optional(StoredProgram{(*found)->text, version_of((*found)->text), (*found)->path});
@@ -118,9 +118,9 @@ std::optional<Failure> ProgramFolder::conflict(const std::string& name,
 Expected<std::string, Failure> ProgramFolder::write(const std::string& name,
                                                     const std::string& text,
                                                     const ExpectedVersion& expected) const {
-  if (text.size() > bytes_max_)
+  if (text.size() > format_.bytes_max)
     return Unexpected<Failure>(
-        failure_of_diagnostic(lang::too_large(name, text.size(), bytes_max_)));
+        failure_of_diagnostic(lang::too_large(name, text.size(), format_.bytes_max)));
   const auto there = look(name);
   if (!there) return Unexpected<Failure>(there.error());
   if (const auto other = conflict(name, *there, expected)) return Unexpected<Failure>(*other);

@@ -14,6 +14,7 @@
 
 #include "base/expected.h"
 #include "protocol/failure.h"
+#include "runtime/program_files.h"
 
 namespace stanok::daemon {
 
@@ -31,8 +32,8 @@ struct ExpectedVersion {
 
 class ProgramFolder {
  public:
-  ProgramFolder(std::filesystem::path root, std::size_t bytes_max)
-      : root_(std::move(root)), bytes_max_(bytes_max) {}
+  ProgramFolder(std::filesystem::path root, runtime::ProgramFormat format)
+      : root_(std::move(root)), format_(std::move(format)) {}
 
   [[nodiscard]] Expected<StoredProgram, protocol::Failure> read(const std::string& name) const;
   // The version that is there now.
@@ -51,7 +52,7 @@ class ProgramFolder {
       const std::string& name) const;
 
   std::filesystem::path root_;
-  std::size_t bytes_max_;
+  runtime::ProgramFormat format_;
 };
 
 [[nodiscard]] std::string version_of(const std::string& text);

@@ -102,6 +102,10 @@ const Case cases[] = {
      "axis X: key 'acceleration_max' is missing; add it (highest "
      "acceleration, mm/s2, deg/s2)"},
     {"MissingName", 2, "", 1, 1, "[machine]: key 'name' is missing"},
+    {"EncodingThatIsNone", 2, "name = \"m\"\nprogram_encoding = \"cp12510\"", 3, 20,
+     "`cp12510` is no encoding that contains ASCII"},
+    {"EncodingWithoutAscii", 2, "name = \"m\"\nprogram_encoding = \"UTF-16\"", 3, 20,
+     "`iconv --list` has the names"},
     {"EmptyName", 2, "name = \"\"", 2, 8, "[machine]: name is empty"},
     {"NameOfAnotherFolder", 2, "name = \"../m\"", 2, 8, "[machine]: name is '../m'; it must have"},
     {"NameWithAFolder", 2, "name = \"a/m\"", 2, 8, "no '/'"},

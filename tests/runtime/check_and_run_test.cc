@@ -93,7 +93,7 @@ std::vector<std::filesystem::path> roots_of(const std::filesystem::path& program
 // The first error of `check`; empty: it takes the program.
 std::string refusal_of(const Surroundings& on, const std::filesystem::path& program) {
   const config::MachineFile& file = machine_file(on.machine);
-  const ProgramFiles files(roots_of(program), file.machine.program_bounds.bytes);
+  const ProgramFiles files(roots_of(program), program_format(file.machine));
   const auto result =
       check_program(file.machine, on.channel, on.scheme, program.filename().string(), files);
   for (const Diagnostic& d : result.diagnostics)

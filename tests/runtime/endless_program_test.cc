@@ -27,7 +27,7 @@ class EndlessProgram : public ::testing::Test {
   DryRunResult checked(std::uint64_t steps) {
     auto machine = options_on("mill3.toml").file.machine;
     machine.program_bounds.steps = steps;
-    const ProgramFiles texts({files.folder()}, machine.program_bounds.bytes);
+    const ProgramFiles texts({files.folder()}, program_format(machine));
     return check_program(machine, 1, -1, "p.nc", texts);
   }
 

@@ -69,7 +69,7 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
   const LocatedProgram program = locate(candidate.path);
   std::vector<LocatedProgram> roots{program};
   if (!candidate.folder.empty()) roots.push_back({"", candidate.folder});
-  const runtime::ProgramFiles files(search_roots(roots, job), machine.program_bounds.bytes);
+  const runtime::ProgramFiles files(search_roots(roots, job), runtime::program_format(machine));
   auto result = runtime::check_program(machine, job.channel, scheme_of(job), program.name, files);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   if (!candidate.folder.empty()) {  // in a folder a name alone may be that of several programs

@@ -53,7 +53,7 @@ int run(const InterpretOptions& options) {
   const auto machine = machine_file_of(options.job);
   const LocatedProgram program = locate(options.program);
   const runtime::ProgramFiles files(search_roots({program}, options.job),
-                                    machine.machine.program_bounds.bytes);
+                                    runtime::program_format(machine.machine));
   runtime::DryRun dry_run(machine.machine, options.job.channel, scheme_of(options.job), files);
   std::string text;
   const auto write_out = [&] {

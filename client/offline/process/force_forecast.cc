@@ -72,7 +72,7 @@ class ForecastRun {
   ForceForecast run() {
     const LocatedProgram located = locate(request_.program);
     const runtime::ProgramFiles files(search_roots({located}, request_.job),
-                                      machine_.machine.program_bounds.bytes);
+                                      runtime::program_format(machine_.machine));
     runtime::DryRun dry_run(machine_.machine, request_.job.channel, scheme_of(request_.job), files);
     find_axes(dry_run.channel());
     const auto take = [&](const lang::Command& command, const motion::PathBlock* block) {

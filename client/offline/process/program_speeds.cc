@@ -14,7 +14,7 @@ std::vector<double> speeds_of_program(const std::string& program, const JobOptio
   const config::MachineFile machine = machine_file_of(job);
   const LocatedProgram located = locate(program);
   const runtime::ProgramFiles files(search_roots({located}, job),
-                                    machine.machine.program_bounds.bytes);
+                                    runtime::program_format(machine.machine));
   runtime::DryRun dry_run(machine.machine, job.channel, scheme_of(job), files);
   std::set<double> speeds;
   double speed = 0.0;

@@ -28,7 +28,7 @@ class ProgramFolderTest : public ::testing::Test {
   ProgramFolderTest() { fs::create_directories(root() / "sub"); }
 
   stanok::testing::TemporaryDirectory temporary_;
-  ProgramFolder folder_{temporary_.path() / "root", 1000};
+  ProgramFolder folder_{temporary_.path() / "root", {1000, "cp1251"}};
 };
 
 TEST_F(ProgramFolderTest, ATextIsReplacedByWhoKnowsItsVersion) {
@@ -44,6 +44,17 @@ TEST_F(ProgramFolderTest, ATextIsReplacedByWhoKnowsItsVersion) {
   EXPECT_EQ(late.error().code, "E9019");
   EXPECT_EQ(text_at("sub/a.nc"), "G0 X2\n");
   EXPECT_TRUE(folder_.write("sub/a.nc", "G0 X4\n", {"any"}));
+}
+
+// What an editor gets, it can write back: nothing is lost on the way.
+TEST_F(ProgramFolderTest, ATextInTheEncodingOfTheFolderIsReadAsUtf8) {
+  put("a.nc", "(\xC4\xE5\xF2\xE0\xEB\xFC)\nM30\n");
+  const std::string text = "(\u0414\u0435\u0442\u0430\u043B\u044C)\nM30\n";
+  const auto found = folder_.read("a.nc");
+  EXPECT_EQ(found->text, text);
+  EXPECT_TRUE(folder_.write("a.nc", text + "%\n", {found->version}));
+  EXPECT_EQ(text_at("a.nc"), text + "%\n");
+  EXPECT_EQ(folder_.read("a.nc")->text, text + "%\n");
 }
 
 TEST_F(ProgramFolderTest, ANewTextReplacesNone) {

@@ -1,4 +1,4 @@
-import{w as or}from"./playback.svelte-ysGqCe_T.js";import{$ as Il}from"./index-CSrixR2w.js";/**
+import{w as or}from"./playback.svelte-FVtOEkCt.js";import{$ as Il}from"./index-Dsq75n8_.js";/**
  * @license
  * Copyright 2010-2026 Three.js Authors
  * SPDX-License-Identifier: MIT
