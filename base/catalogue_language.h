@@ -336,8 +336,11 @@ inline constexpr auto language_rows = [] {
       {"E4353", "the kinematic scheme has no rotary axes that incline the tool", end,
        "load a scheme of the types head_table, head_head or table_table with #kinematics",
        "correct the program and start it again"},
-      {"E4354", "the tool cannot be aligned with the tilted plane", end,
+      {"E4354", "the tool cannot point where a plane or a vector wants it", end,
        "take the other branch with P1 or P2, or clamp the workpiece otherwise",
+       "correct the program and start it again"},
+      {"E4355", "a tool vector cannot be used", end,
+       "write I, J, K with a length above 0 beside G0 or G1 under G43.5, and no rotary axes",
        "correct the program and start it again"},
   });
 }();

@@ -116,6 +116,8 @@ void set_overhang(ActiveBlock& block, const ToolOverhang& overhang);
 // The programmed point is the tool tip, led through the rotary axes, from here on or no longer: as
 // the plane and the code of the tool length say (actions_length.cc).
 void follow_alignment(ActiveBlock& block);
+// Ends `move` with these angles; false: an axis is a spindle now, and the block has failed.
+bool turn_axes(ActiveBlock& block, const Alignment& found, Move& move);
 // Fails the block: a plane is begun and not said to its end (actions_rotation.cc).
 void fail_open_plane(ActiveBlock& block, const WordName& word);
 

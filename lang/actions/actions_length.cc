@@ -1,4 +1,4 @@
-// Actions of tool length compensation: G43, G43.1, G43.2, G43.4, G44, G49, and the offset of a T
+// Actions of tool length compensation: G43, G43.1, G43.2, G43.4, G43.5, G44, G49, and the offset of a T
 // word on lathe channels; of the alignment of the tool with a tilted plane: G53.1, G53.6.
 //
 // The length in force is a base (what G43.2 found there) and the length of one edge, which is read
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "lang/actions/actions.h"
-#include "lang/feed_law/feed_law_words.h"
+#include "lang/orientation/tool_orientation.h"
 
 namespace stanok::lang {
 namespace {
@@ -84,63 +84,7 @@ void set_by_axis_words(ActiveBlock& block) {
 
 LengthMode mode_of(CodeNumber code) {
   if (code == g(49)) return LengthMode::off;
-  return code == g(43, 4) ? LengthMode::tip : LengthMode::length;
-}
-
-std::string angle_text(double angle_deg) {
-  return law_number_text(std::round(angle_deg * 1e4) / 1e4 + 0.0);
-}
-
-std::string direction_text(const Direction& direction) {
-  std::string text;
-  for (std::size_t k = 0; k < 3; ++k) {
-    text += (k == 0 ? "" : " ") + std::string(1, "XYZ"[k]) + angle_text(direction[k]);
-  }
-  return text;
-}
-
-// The plane that cannot be had, what hinders, and how near the machine comes to it.
-void fail_alignment(ActiveBlock& block, CodeNumber code, const Direction& wanted_B,
-                    const Alignment& found) {
-  using Outcome = Alignment::Outcome;
-  const std::string name = "`" + code_text('G', code) + "`";
-  if (found.outcome == Outcome::no_rotary_axes) {
-    block
-        .fail("E4353", {'G', code, {}},
-              name +
-                  " has no rotary axes to turn: the kinematic scheme has none that incline the "
-                  "tool",
-              "no such axes")
-        .help.emplace_back(
-            "load a scheme of the types head_table, head_head or table_table with `#kinematics`");
-    return;
-  }
-  std::string why;
-  std::string remedy;
-  if (found.outcome == Outcome::beyond_limit) {
-    why = block.channel.axes[found.axis].word + " would have to stand at " +
-          angle_text(found.needed_deg) + " deg, its limit is " + angle_text(found.limit_deg) +
-          " deg";
-  } else if (found.outcome == Outcome::wrong_sign) {
-    why = "no position within the travel has the sign that P wants";
-  } else {
-    why = "the rotary axes cannot incline the tool so, wherever they stand";
-  }
-  const bool forced = block.has('P') && block.value('P') != 0.0;
-  BlockFault& fault = block.fail("E4354", {'G', code, {}},
-                                 name + " cannot align the tool with the plane, whose normal is " +
-                                     direction_text(wanted_B) + " of the table: " + why,
-                                 "out of reach");
-  fault.notes.push_back(block.modal.origin_of(Group::rotation));
-  constexpr double in_reach_deg = 1e-6;
-  const std::string nearest = "the nearest direction within the travel is " +
-                              direction_text(found.nearest_B) + ", " + angle_text(found.off_deg) +
-                              " deg off";
-  const bool by_sign = forced && found.off_deg < in_reach_deg;
-  fault.notes.push_back({by_sign ? "the other sign is within the travel" : nearest, {}});
-  fault.help.emplace_back(forced
-                              ? "leave P out, or clamp the workpiece otherwise"
-                              : "clamp the workpiece otherwise, or divide the work on the plane");
+  return leads_tip(code) ? LengthMode::tip : LengthMode::length;
 }
 
 std::optional<FirstRotary> wanted_branch(ActiveBlock& block) {
@@ -152,35 +96,42 @@ std::optional<FirstRotary> wanted_branch(ActiveBlock& block) {
 // The rotary axes turned to where the tool is square to the plane; nothing when it cannot be.
 std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRotary first) {
   const ModalState& modal = block.modal;
-  const WorkFrame frame = modal.frame();
-  AlignmentWish wish;
-  wish.first = first;
-  wish.from_B = frame.base_from_work(modal.position_W);
+  const bool forced = first != FirstRotary::nearest;
   const Rotation plane_B = modal.frames.work_offset_rotation * modal.frames.plane.rotation;
+  OrientationWish wish{.word = {'G', code, {}},
+                       .first = first,
+                       .purpose = "align the tool with the plane, whose normal is",
+                       .said_by = Group::rotation,
+                       .remedy = forced
+                                     ? "leave P out, or clamp the workpiece otherwise"
+                                     : "clamp the workpiece otherwise, or divide the work on the plane"};
   wish.tool_B = components(plane_B.turned(Vector3<double>{0.0, 0.0, 1.0}));
-  const Alignment found = block.tables.alignment(wish);
-  if (found.outcome != Alignment::Outcome::found) {
-    fail_alignment(block, code, wish.tool_B, found);
-    return std::nullopt;
-  }
+  const auto found = reachable_angles(block, wish);
+  if (!found) return std::nullopt;
   Move move;
-  move.words = found.axes;
   move.end = modal.position_W;
   move.path = modal.path;
   move.stop_at_end = block.end.stops;
-  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
-    if ((found.axes & axis_bit(i)) == 0) continue;
-    if (is_spindle_now(block, i)) {
-      refuse_axis_that_is_spindle(block, i);
-      return std::nullopt;
-    }
-    const double angle_W = found.angles_B[i] - frame.offset[i];
-    if (std::abs(angle_W - move.end[i]) > position_noise) move.end[i] = angle_W;
-  }
+  if (!turn_axes(block, *found, move)) return std::nullopt;
   return move;
 }
 
 }  // namespace
+
+bool turn_axes(ActiveBlock& block, const Alignment& found, Move& move) {
+  move.words = static_cast<AxisSet>(move.words | found.axes);
+  const AxisValues zero_B = block.modal.frame().offset;
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    if ((found.axes & axis_bit(i)) == 0) continue;
+    if (is_spindle_now(block, i)) {
+      refuse_axis_that_is_spindle(block, i);
+      return false;
+    }
+    const double angle_W = found.angles_B[i] - zero_B[i];
+    if (std::abs(angle_W - move.end[i]) > position_noise) move.end[i] = angle_W;
+  }
+  return true;
+}
 
 void follow_alignment(ActiveBlock& block) {
   ToolLength length = block.modal.tool.length;
@@ -251,7 +202,7 @@ void compensate_length(ActiveBlock& block, CodeNumber code) {
   modal.tool.length_base_mm = code == g(43, 2) ? modal.tool.length.offset_mm : Offset{};
   modal.tool.length_edge = source->edge;
   ToolLength length;
-  length.mode = code == g(43, 4) ? LengthMode::tip : LengthMode::length;
+  length.mode = leads_tip(code) ? LengthMode::tip : LengthMode::length;
   length.tool = source->tool != 0 ? source->tool : modal.tool.active;
   length.offset_mm = offset_of(block, *source, code, modal.tool.length_base_mm);
   change_length(block, length);

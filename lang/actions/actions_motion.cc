@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "lang/actions/actions.h"
+#include "lang/orientation/tool_orientation.h"
 
 namespace stanok::lang {
 namespace {
@@ -27,6 +28,42 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
     block.fail("E4042", word, "`G53` needs absolute programming (G90)", "")
         .notes.push_back(block.modal.origin_of(Group::distance));
   }
+}
+
+// I, J, K beside G0 and G1 are the direction of the tool at the end of the move under G43.5, and
+// nothing elsewhere.
+void turn_to_vector(ActiveBlock& block, Move& move) {
+  const ModalState& modal = block.modal;
+  const char letter = block.has('I') ? 'I' : block.has('J') ? 'J' : 'K';
+  if (modal.code(Group::length) != g(43, 5)) {
+    block
+        .fail("E4003", {letter, -1, {}},
+              std::string("nothing in this block uses `") + letter + "`", "unused word")
+        .help.emplace_back("arcs are G2 and G3; a vector of the tool needs `G43.5`");
+    return;
+  }
+  if (excluded_by_mode(block, g(43, 5),
+                       {Exclusion::own_rotation, Exclusion::scaling, Exclusion::mirror})) {
+    return;
+  }
+  const auto direction = vector_of_block(block);
+  if (!direction) return;
+  const Rotation frame_B = modal.frames.work_offset_rotation * modal.frames.plane.rotation;
+  OrientationWish wish{.word = {letter, -1, {}},
+                       .purpose = "turn the tool to",
+                       .said_by = Group::length,
+                       .remedy = "clamp the workpiece otherwise, or lean the tool less"};
+  wish.tool_B = components(frame_B.turned(vector3(*direction)));
+  const auto found = reachable_angles(block, wish);
+  if (!found) return;
+  if ((block.programmed & found->axes) != 0) {
+    block
+        .fail("E4355", {letter, -1, {}},
+              "the angles of the rotary axes follow from the tool vector", "and a rotary axis")
+        .help.emplace_back("leave the words of the rotary axes out");
+    return;
+  }
+  turn_axes(block, *found, move);
 }
 
 }  // namespace
@@ -122,10 +159,13 @@ void advance_position(ActiveBlock& block, const Move& move) {
 }
 
 void move_straight(ActiveBlock& block, CodeNumber code) {
-  if (block.programmed == 0) return;
+  const bool has_vector = (block.words.letters & vector_letters) != 0;
+  if (block.programmed == 0 && !has_vector) return;
   Move move;
   move.kind = code == g(0) ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);
+  if (has_vector) turn_to_vector(block, move);
+  if (block.failed()) return;
   resolve_feed(block, move);
   if (block.failed()) return;
   advance_position(block, move);

@@ -250,9 +250,9 @@ void complete(ModalState& state) {
                     : path == g(61, 1) ? PathMode::exact_stop
                                        : PathMode::exact_path;
   const CodeNumber length = state.code(Group::length);
-  state.tool.length.mode = length == g(49)      ? LengthMode::off
-                           : length == g(43, 4) ? LengthMode::tip
-                                                : LengthMode::length;
+  state.tool.length.mode = length == g(49)     ? LengthMode::off
+                           : leads_tip(length) ? LengthMode::tip
+                                               : LengthMode::length;
   if (state.frames.plane.is_aligned) state.tool.length.mode = LengthMode::tip;
   state.frames.plane.rotation = rotation_of(state.frames.plane.angles_deg);
   if (is_turned(state)) {

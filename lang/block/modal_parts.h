@@ -144,6 +144,11 @@ struct ModalSwitches {
   bool feed_stop = true;       // M53
 };
 
+// Whether the programmed point of this code of tool length is the tip, wherever the tool leans.
+[[nodiscard]] constexpr bool leads_tip(CodeNumber code) {
+  return code == g(43, 4) || code == g(43, 5);
+}
+
 struct ModalTool {
   int prepared = -1;  // T; -1: none since the program started
   int active = 0;

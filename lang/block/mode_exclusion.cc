@@ -80,7 +80,7 @@ std::optional<ActiveMode> active_mode(const ModalState& modal,
                      [exclusion](const ExcludedMode& one) { return one.exclusion == exclusion; });
     STANOK_ASSERT(mode != std::end(modes));
     const bool by_plane = exclusion == Exclusion::tcp && modal.frames.plane.is_aligned &&
-                          modal.code(Group::length) != g(43, 4);
+                          !leads_tip(modal.code(Group::length));
     const ExcludedMode& active = by_plane ? aligned : *mode;
     return ActiveMode{active.name, active.remedy, modal.origin_of(active.group)};
   }

@@ -199,7 +199,7 @@ struct ToolChange {
   int edge = 1;
 };
 
-enum class LengthMode : std::uint8_t { off, length, tip };  // G49, G43/G43.1/G43.2, G43.4
+enum class LengthMode : std::uint8_t { off, length, tip };  // G49, G43/G43.1/G43.2, G43.4/G43.5
 
 // Tool length compensation as resolved from the tool table. The axes do not move; without
 // LengthMode::tip before and after, the interpreter moves its own position by the change of

@@ -37,8 +37,8 @@ constexpr Code with_groups(Code code, GroupSet groups) {
 
 // Columns: number in tenths, modal group, order, axis words, other words, channels, action, title.
 constexpr auto code_rows = std::to_array<Code>({
-    g(0, motion, P::motion, axes, "", everywhere, move_straight, "rapid"),
-    g(10, motion, P::motion, axes, "", everywhere, move_straight, "line at feed"),
+    g(0, motion, P::motion, axes, "IJK", everywhere, move_straight, "rapid"),
+    g(10, motion, P::motion, axes, "IJK", everywhere, move_straight, "line at feed"),
     g(20, motion, P::motion, axes, "IJKRP", everywhere, move_in_arc, "arc clockwise"),
     g(24, motion, P::motion, axes, "IJK", not_master, later, "arc over a point, clockwise"),
     g(30, motion, P::motion, axes, "IJKRP", everywhere, move_in_arc, "arc counter-clockwise"),
@@ -107,7 +107,8 @@ constexpr auto code_rows = std::to_array<Code>({
     g(432, length, P::length, no_axes, "H", not_master, compensate_length,
       "second tool length added"),
     g(434, length, P::length, no_axes, "H", not_master, compensate_length, "TCP (RTCP)"),
-    g(435, length, P::length, no_axes, "H", not_master, later, "TCP (RTCP) by tool vector"),
+    g(435, length, P::length, no_axes, "H", not_master, compensate_length,
+      "TCP (RTCP) by tool vector"),
     g(440, length, P::length, no_axes, "H", not_master, compensate_length, "tool length, negative"),
     g(490, length, P::length, no_axes, "", everywhere, compensate_length, "tool length off"),
     g(500, scaling, P::settings, no_axes, "S", everywhere, cancel_scaling, "scaling off"),

@@ -15,7 +15,6 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G19.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
     {"G34", "a thread of variable lead", "use G33, section by section"},
     {"G37", "measurement of a tool", "use G38.2 and `settable_tool`"},
-    {"G43.5", "TCP (RTCP) by a tool vector", "use G43.4 and program the rotary axes"},
     {"G87", "boring from behind", "use G1 with M19"},
     {"G88", "boring, out by hand", "use G1 and M0 in the bottom of the hole"},
     {"@", "a polar radius", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
