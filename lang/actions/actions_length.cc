@@ -1,5 +1,5 @@
-// Actions of tool length compensation: G43, G43.1, G43.2, G43.4, G43.5, G44, G49, and the offset of a T
-// word on lathe channels; of the alignment of the tool with a tilted plane: G53.1, G53.6.
+// Actions of tool length compensation: G43, G43.1, G43.2, G43.4, G43.5, G44, G49, and the offset of
+// a T word on lathe channels; of the alignment of the tool with a tilted plane: G53.1, G53.6.
 //
 // The length in force is a base (what G43.2 found there) and the length of one edge, which is read
 // again when the tool table may have changed. While the tool is aligned with a plane the programmed
@@ -98,13 +98,13 @@ std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRota
   const ModalState& modal = block.modal;
   const bool forced = first != FirstRotary::nearest;
   const Rotation plane_B = modal.frames.work_offset_rotation * modal.frames.plane.rotation;
-  OrientationWish wish{.word = {'G', code, {}},
-                       .first = first,
-                       .purpose = "align the tool with the plane, whose normal is",
-                       .said_by = Group::rotation,
-                       .remedy = forced
-                                     ? "leave P out, or clamp the workpiece otherwise"
-                                     : "clamp the workpiece otherwise, or divide the work on the plane"};
+  OrientationWish wish{
+      .word = {'G', code, {}},
+      .first = first,
+      .purpose = "align the tool with the plane, whose normal is",
+      .said_by = Group::rotation,
+      .remedy = forced ? "leave P out, or clamp the workpiece otherwise"
+                       : "clamp the workpiece otherwise, or divide the work on the plane"};
   wish.tool_B = components(plane_B.turned(Vector3<double>{0.0, 0.0, 1.0}));
   const auto found = reachable_angles(block, wish);
   if (!found) return std::nullopt;

@@ -37,8 +37,8 @@ void turn_to_vector(ActiveBlock& block, Move& move) {
   const char letter = block.has('I') ? 'I' : block.has('J') ? 'J' : 'K';
   if (modal.code(Group::length) != g(43, 5)) {
     block
-        .fail("E4003", {letter, -1, {}},
-              std::string("nothing in this block uses `") + letter + "`", "unused word")
+        .fail("E4003", {letter, -1, {}}, std::string("nothing in this block uses `") + letter + "`",
+              "unused word")
         .help.emplace_back("arcs are G2 and G3; a vector of the tool needs `G43.5`");
     return;
   }

@@ -8,9 +8,9 @@
 #include "lang/block/block_check.h"
 #include "lang/block/other_controls.h"
 #include "lang/corners/corner_words.h"
+#include "lang/orientation/tool_orientation.h"
 #include "lang/words/corner_word.h"
 #include "lang/words/law_address.h"
-#include "lang/orientation/tool_orientation.h"
 
 namespace stanok::lang {
 namespace {
@@ -62,8 +62,7 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
   const bool by_vector = (number == g(0) || number == g(1)) &&
                          block.modal.code(Group::length) == g(43, 5) &&
                          (free_words & vector_letters) != 0;
-  const bool moves =
-      block.programmed != 0 || by_vector || (arc && (free_words & arc_words) != 0);
+  const bool moves = block.programmed != 0 || by_vector || (arc && (free_words & arc_words) != 0);
   if (!moves) return;
   const Code* const motion = find_code('G', number);
   if (motion->axes == AxisWords::unused) {

@@ -22,7 +22,7 @@ std::string direction_text(const Direction& direction) {
 }
 
 std::string name_of_word(const WordName& word) {
-  return word.letter == 'G' ? "`" + code_text('G', word.number) + "`"
+  return word.letter == 'G' ? "`" + code_text('G', static_cast<CodeNumber>(word.code)) + "`"
                             : "a tool vector under `G43.5`";
 }
 
@@ -88,13 +88,20 @@ std::optional<Alignment> reachable_angles(ActiveBlock& block, const OrientationW
 }
 
 std::optional<Direction> vector_of_block(ActiveBlock& block) {
-  Vector3<double> vector{block.value('I'), block.value('J'), block.value('K')};
+  const auto part = [&](char letter) { return block.has(letter) ? block.value(letter) : 0.0; };
+  const Vector3<double> vector{part('I'), part('J'), part('K')};
   const double length = std::hypot(vector.x(), vector.y(), vector.z());
   if (length > 0.0 && std::isfinite(length)) return components(Vector3<double>(vector / length));
   block
-      .fail("E4355", {block.has('I') ? 'I' : block.has('J') ? 'J' : 'K', -1, {}},
+      .fail("E4355",
+            {block.has('I')   ? 'I'
+             : block.has('J') ? 'J'
+                              : 'K',
+             -1,
+             {}},
             "the tool vector I, J, K has no direction", "its length is not above 0")
-      .help.emplace_back("write where the tool points, from its tip into the spindle: K1 is upright");
+      .help.emplace_back(
+          "write where the tool points, from its tip into the spindle: K1 is upright");
   return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "config/files/machine_file.h"
@@ -166,6 +167,36 @@ TEST_P(ThreePlanes, AreDrilledSquare) {
   // One offset for all, and it is the work offset: it lies along Z, where the machine files have
   // it.
   EXPECT_LT(std::hypot(offset.x(), offset.y()), 1e-9);
+}
+
+// G43.5: at the end of each move the tip is at its point and the tool along its vector, whose
+// length does not count.
+TEST_P(ThreePlanes, AndVectorsPointTheTool) {
+  const channels::MachineConfig machine = machine_called(GetParam().machine);
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  std::string text = "T2 M6\nS1000 M3\nG54 G0 X0 Y0 Z90\nG43.5 H2\n";
+  std::vector<std::pair<Point, Point>> wanted;  // tip in B without the work offset, direction
+  for (int n = 0; n < 200; ++n) {
+    const Point tip(20.0 * part(random), 20.0 * part(random), 30.0 + 5.0 * part(random));
+    const Point vector(0.3 * part(random), 0.3 * part(random), 1.0);
+    const double length = n % 3 == 0 ? 1.0 : 40.0 + 39.0 * part(random);
+    char direction[120];
+    std::snprintf(direction, sizeof direction, " I%.13f J%.13f K%.13f F300\n", length * vector.x(),
+                  length * vector.y(), length * vector.z());
+    text += "G1" + words(tip) + direction;
+    wanted.emplace_back(tip, vector.normalized());
+  }
+  const auto ends = feed_ends(machine, text + "G49\nM30\n", GetParam().scheme);
+  ASSERT_EQ(ends.size(), wanted.size());
+  const Point offset =
+      Point(ends[0].tip_B[0], ends[0].tip_B[1], ends[0].tip_B[2]) - wanted[0].first;
+  EXPECT_LT(std::hypot(offset.x(), offset.y()), 1e-9);
+  for (std::size_t n = 0; n < wanted.size(); ++n) {
+    const Point tip(ends[n].tip_B[0], ends[n].tip_B[1], ends[n].tip_B[2]);
+    EXPECT_LT((tip - wanted[n].first - offset).norm(), 1e-9) << "move " << n;
+    EXPECT_LT((ends[n].tool_B - wanted[n].second).norm(), 1e-9) << "move " << n;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Machines, ThreePlanes,

@@ -1,4 +1,4 @@
-import{w as or}from"./playback.svelte-FVtOEkCt.js";import{$ as Il}from"./index-Dsq75n8_.js";/**
+import{w as or}from"./playback.svelte-BEUBw1eW.js";import{$ as Il}from"./index-Btr-x5Ff.js";/**
  * @license
  * Copyright 2010-2026 Three.js Authors
  * SPDX-License-Identifier: MIT
