@@ -14,7 +14,7 @@
 #include "base/file_descriptor.h"
 #include "base/place.h"
 #include "base/system_error.h"
-#include "base/text_encoding.h"
+#include "config/text/text_encoding.h"
 
 namespace stanok::runtime {
 namespace {
@@ -162,7 +162,7 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
     auto source = std::make_shared<lang::SourceText>();
     source->name = std::string(name);
     source->path = (folder / name).lexically_normal().string();
-    source->text = text_from(std::move(*text), format_.encoding);
+    source->text = config::text_from(std::move(*text), format_.encoding);
     return Text(std::move(source));
   }
   std::string help;

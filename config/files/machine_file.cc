@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "base/place.h"
-#include "base/text_encoding.h"
 #include "config/files/tables_file.h"
 #include "config/sections/axis_section.h"
 #include "config/sections/channel_section.h"
@@ -15,6 +14,7 @@
 #include "config/sections/process_section.h"
 #include "config/sections/signal_section.h"
 #include "config/sections/vibration_section.h"
+#include "config/text/text_encoding.h"
 
 namespace stanok::config {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/text_encoding.h"
+#include "config/text/text_encoding.h"
 
 #include <iconv.h>
 
@@ -7,7 +7,7 @@
 
 #include "base/utf8.h"
 
-namespace stanok {
+namespace stanok::config {
 namespace {
 
 // One conversion of iconv to UTF-8.
@@ -84,4 +84,4 @@ std::string text_from(std::string bytes, const std::string& encoding) {
   return converter.exists() ? converter.utf8_of(bytes) : bytes;
 }
 
-}  // namespace stanok
+}  // namespace stanok::config

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace stanok {
+namespace stanok::config {
 
 // Whether iconv has an encoding of this name, and letters, digits and signs of ASCII are themselves
 // in it.
@@ -18,4 +18,4 @@ namespace stanok {
 // `encoding`: of bytes that are neither UTF-8 nor marked as UTF-16; empty: they stay what they are.
 [[nodiscard]] std::string text_from(std::string bytes, const std::string& encoding);
 
-}  // namespace stanok
+}  // namespace stanok::config

@@ -1,10 +1,10 @@
-#include "base/text_encoding.h"
+#include "config/text/text_encoding.h"
 
 #include <gtest/gtest.h>
 
 #include "base/utf8.h"
 
-namespace stanok {
+namespace stanok::config {
 namespace {
 
 struct EncodedText {
@@ -62,4 +62,4 @@ TEST(TextEncoding, ProgramsNeedAnEncodingThatHasAscii) {
 }
 
 }  // namespace
-}  // namespace stanok
+}  // namespace stanok::config
