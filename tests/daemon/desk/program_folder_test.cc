@@ -97,10 +97,11 @@ TEST_F(ProgramFolderTest, WhatIsTooLongIsRefused) {
 
 // Its characters were replaced when it was read: what is written back would be another text.
 TEST_F(ProgramFolderTest, ATextThatIsNoUtf8IsNotOverwrittenUnasked) {
+  const ProgramFolder unknown(root(), {1000, ""});
   put("a.nc", "(\xCF\xF0\xE8\xE2\xE5\xF2)\nM30\n");
-  const auto version = folder_.read("a.nc")->version;
-  EXPECT_EQ(folder_.write("a.nc", "M30\n", {version}).error().code, "E9020");
-  EXPECT_TRUE(folder_.write("a.nc", "M30\n", {"any"}));
+  const auto version = unknown.read("a.nc")->version;
+  EXPECT_EQ(unknown.write("a.nc", "M30\n", {version}).error().code, "E9020");
+  EXPECT_TRUE(unknown.write("a.nc", "M30\n", {"any"}));
 }
 
 TEST_F(ProgramFolderTest, AWriteThatFailsLeavesTheTextAsItWas) {
