@@ -1,6 +1,7 @@
 #include "daemon/desk/background_work.h"
 
 #include <algorithm>
+#include <new>
 
 #include "base/idle_thread.h"
 
@@ -13,6 +14,11 @@ using protocol::FailureKind;
 CommandResult cancelled() {
   return Unexpected<Failure>(
       Failure{FailureKind::refused, "E9017", "the request was cancelled", 0, {}});
+}
+
+// Short enough to need none.
+CommandResult no_memory() {
+  return Unexpected<Failure>(Failure{FailureKind::internal, "", "out of memory", 0, {}});
 }
 
 }  // namespace
@@ -36,7 +42,8 @@ void BackgroundWork::submit(int session, Work work, Answer answer) {
       return task.session == session;
     });
     if (waiting_.size() < waiting_max && of_session < of_session_max) {
-      waiting_.push_back({session, std::move(work), std::move(answer)});
+      waiting_.push_back(
+          {.session = session, .work = std::move(work), .answer = std::move(answer)});
       wakes_.notify_one();
       return;
     }
@@ -54,42 +61,47 @@ void BackgroundWork::cancel(int session) {
 }
 
 void BackgroundWork::tick() {
-  std::vector<Result> done;
+  Tasks done;
   {
     const std::lock_guard lock(mutex_);
     done.swap(done_);
   }
-  for (const Result& result : done) result.task.answer(result.outcome);
+  for (const Task& task : done) task.answer(*task.outcome);
 }
 
 // A fault of the work costs its answer only.
 CommandResult BackgroundWork::outcome_of(const Task& task) {
-  if (task.stop.stop_requested()) return cancelled();
   try {
-    CommandResult outcome = task.work(task.stop.get_token());
-    return task.stop.stop_requested() ? cancelled() : std::move(outcome);
-  } catch (const std::exception& error) {
-    return Unexpected<Failure>(Failure{FailureKind::internal, "", error.what(), 0, {}});
+    try {
+      if (task.stop.stop_requested()) return cancelled();
+      CommandResult outcome = task.work(task.stop.get_token());
+      return task.stop.stop_requested() ? cancelled() : std::move(outcome);
+    } catch (const std::bad_alloc&) {
+      return no_memory();
+    } catch (const std::exception& error) {
+      return Unexpected<Failure>(Failure{FailureKind::internal, "", error.what(), 0, {}});
+    }
+  } catch (...) {
+    return no_memory();
   }
 }
 
 void BackgroundWork::serve(const std::stop_token& stop) {
   if (urgency_ == Urgency::idle) run_when_idle();
   while (true) {
-    Task task;
+    Tasks one;
     {
       std::unique_lock lock(mutex_);
       if (!wakes_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
-      task = std::move(waiting_.front());
-      waiting_.pop_front();
-      session_at_work_ = task.session;
-      at_work_ = task.stop;
+      one.splice(one.begin(), waiting_, waiting_.begin());
+      session_at_work_ = one.front().session;
+      at_work_ = one.front().stop;
     }
-    CommandResult outcome = outcome_of(task);
+    one.front().outcome = outcome_of(one.front());
+    one.front().work = nullptr;
     const std::lock_guard lock(mutex_);
     session_at_work_ = 0;
-    task.work = nullptr;
-    done_.push_back({std::move(task), std::move(outcome)});
+    done_.splice(done_.end(), one);
   }
 }
 

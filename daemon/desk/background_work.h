@@ -2,15 +2,16 @@
 // of a disk that may sleep, programs to check.
 //
 // One piece of work at a time, in the order of asking; the thread that submits never waits. Answers
-// are given in `tick`, which that thread calls often. Who asks for too much is refused (E9007).
+// are given in `tick`, which that thread calls often. Who asks for too much is refused (E9007). The
+// thread itself needs no memory: where memory ends, the answer says so.
 #pragma once
 
 #include <condition_variable>
-#include <deque>
 #include <functional>
+#include <list>
 #include <mutex>
+#include <optional>
 #include <thread>
-#include <vector>
 
 #include "daemon/desk/command_desk.h"
 
@@ -43,11 +44,9 @@ class BackgroundWork {
     Work work;
     Answer answer;
     std::stop_source stop{};
+    std::optional<CommandResult> outcome{};
   };
-  struct Result {
-    Task task;
-    CommandResult outcome;
-  };
+  using Tasks = std::list<Task>;  // whose places are passed on without memory
 
   void serve(const std::stop_token& stop);
   [[nodiscard]] static CommandResult outcome_of(const Task& task);
@@ -55,8 +54,8 @@ class BackgroundWork {
   Urgency urgency_;
   std::mutex mutex_;
   std::condition_variable_any wakes_;
-  std::deque<Task> waiting_;
-  std::vector<Result> done_;
+  Tasks waiting_;
+  Tasks done_;
   int session_at_work_ = 0;  // 0: none
   std::stop_source at_work_;
   std::jthread thread_;

@@ -151,21 +151,22 @@ int run_daemon(const DaemonOptions& options) {
                         {.panel_user = panel_user(options.panel_user)});
 
   // First the stop: what is said may need memory.
-  const auto fail = [&](std::string_view who, std::string_view reason) {
+  const auto fail = [&](std::string_view who, std::string_view name, std::string_view reason) {
     server.fail();
     ends = true;
-    spdlog::critical("{} failed: {}; the machine is stopped", who, reason);
+    spdlog::critical("{}{} failed: {}; the machine is stopped", who, name, reason);
   };
   const KeptState kept(state.path(), machine);
   const RunningDrives drives(assembly);
   ScopeFeed scope_feed(machine.scope(), loop);
-  const PublisherThread publisher(rings_of(assembly), {&recorder, &machine, &server, &scope_feed},
-                                  [&](std::string_view reason) { fail("the publisher", reason); });
+  const PublisherThread publisher(
+      rings_of(assembly), {&recorder, &machine, &server, &scope_feed},
+      [&](std::string_view reason) { fail("the publisher", "", reason); });
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),
       [&](int index) { return assembly.machine().prepare(index); },
       [&](int index, std::string_view reason) {
-        fail("the preparation of channel " + file.machine.channels[index].name, reason);
+        fail("the preparation of channel ", file.machine.channels[index].name, reason);
       });
   const RealTimeThread real_time(loop, machine);
   spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,

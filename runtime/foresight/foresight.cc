@@ -186,12 +186,22 @@ void Foresight::work(const std::stop_token& stop) {
     try {
       keep(order.channel, foresee(order, stop));
     } catch (const std::exception& error) {
-      take_obstacle_(order.program + " cannot be simulated beforehand: " + error.what());
+      tell_obstacle(order.program, error.what());
     } catch (...) {
-      take_obstacle_(order.program + " cannot be simulated beforehand");
+      tell_obstacle(order.program, "");
     }
     const std::lock_guard lock(mutex_);
     at_work_ = 0;
+  }
+}
+
+// Where memory ends nobody can be told.
+void Foresight::tell_obstacle(const std::string& program, std::string_view reason) const {
+  try {
+    const std::string why = reason.empty() ? "" : ": " + std::string(reason);
+    take_obstacle_(program + " cannot be simulated beforehand" + why);
+  } catch (...) {
+    return;
   }
 }
 

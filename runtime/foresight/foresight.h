@@ -102,6 +102,7 @@ class Foresight {
   };
 
   void work(const std::stop_token& stop);
+  void tell_obstacle(const std::string& program, std::string_view reason) const;
   void keep(int channel, std::optional<Foreseen> seen);
   [[nodiscard]] std::optional<Foreseen> foresee(const Order& order, const std::stop_token& stop);
   [[nodiscard]] std::shared_ptr<PlannedPath> new_path(int channel, const std::string& program);

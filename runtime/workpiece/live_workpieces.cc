@@ -65,10 +65,21 @@ void LiveWorkpieces::work(const std::stop_token& stop) {
       if (!cut_some()) std::this_thread::sleep_for(pause);
     }
   } catch (const std::exception& error) {
-    // Memory above all. The machine does without the picture.
-    const std::lock_guard lock(mutex_);
-    for (Seat& seat : seats_) seat.workpiece = nullptr;
-    complain_(std::string("live workpieces are given up: ") + error.what());
+    give_up(error.what());
+  } catch (...) {
+    give_up("an exception without a text");
+  }
+}
+
+// Memory above all. The machine does without the picture, and where nothing can be told, without a
+// word about it.
+void LiveWorkpieces::give_up(std::string_view reason) {
+  const std::lock_guard lock(mutex_);
+  for (Seat& seat : seats_) seat.workpiece = nullptr;
+  try {
+    complain_("live workpieces are given up: " + std::string(reason));
+  } catch (...) {
+    return;
   }
 }
 

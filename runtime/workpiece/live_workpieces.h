@@ -88,6 +88,7 @@ class LiveWorkpieces {
   };
 
   void work(const std::stop_token& stop);
+  void give_up(std::string_view reason);
   [[nodiscard]] bool cut_some();
   void cut(const Step& step);
   static void add_brick(const simulation::Workpiece& workpiece, std::size_t brick,

@@ -6,6 +6,8 @@
 #include <latch>
 #include <stdexcept>
 
+#include "tests/support/no_allocation.h"
+
 namespace stanok::daemon {
 namespace {
 
@@ -43,6 +45,29 @@ TEST(BackgroundWork, AFaultCostsItsAnswerOnly) {
   asked.wait_for(work, 2);
   EXPECT_EQ(asked.answers[0].error().message, "broken");
   EXPECT_TRUE(asked.answers[1]);
+}
+
+// Of everything that the thread does, nothing needs memory but the work.
+TEST(BackgroundWork, WhereMemoryEndsTheAnswerSaysSo) {
+  BackgroundWork work(BackgroundWork::Urgency::usual);
+  Asked asked;
+  asked.answers.reserve(3);
+  const auto takes_memory = [](const std::stop_token&) -> CommandResult {
+    return json(std::string(1000, 'x'));
+  };
+  const std::runtime_error fault("a fault with a text that is too long for any place");
+  const auto fails_at_length = [&](const std::stop_token&) -> CommandResult { throw fault; };
+  const auto takes_none = [](const std::stop_token&) -> CommandResult { return json(7); };
+  {
+    const stanok::testing::NoMemoryElsewhere short_of_memory;
+    work.submit(1, takes_memory, asked.taker());
+    work.submit(1, fails_at_length, asked.taker());
+    work.submit(1, takes_none, asked.taker());
+    asked.wait_for(work, 3);
+  }
+  EXPECT_EQ(asked.answers[0].error().message, "out of memory");
+  EXPECT_EQ(asked.answers[1].error().message, "out of memory");
+  EXPECT_EQ(*asked.answers[2], json(7));
 }
 
 TEST(BackgroundWork, WhatIsCancelledIsAnswered) {
