@@ -88,7 +88,7 @@ TEST(SensorCount, TheSmallestStepIsTheCount) {
   double power_w = 100.0;
   for (int k = 0; k < 100; ++k) count.learn(power_w += k % 4 == 0 ? 3.0 : 0.0);
   EXPECT_EQ(count.count_w(), 3.0);
-  count.learn(power_w += 1.0);
+  count.learn(power_w + 1.0);
   EXPECT_EQ(count.count_w(), 1.0);
   EXPECT_GE(count.usual_step_w(), count.count_w());
   EXPECT_TRUE(count.is_within_flicker(106.5, 100.0));
