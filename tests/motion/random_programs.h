@@ -161,10 +161,13 @@ inline Program five_axis_moves(Random& random, const Point& start) {
     }
     const double heading = random.between(-3.0, 3.0);
     if (random.chance(0.3)) {
+      // Drawn one by one: compilers call for arguments in any order.
+      const double sweep = random.between(0.3, 2.0);
+      const double feed = random.between(5.0, 100.0);
       program.add(arc_to(program.end(),
                          {program.end()[0] - length * std::sin(heading),
                           program.end()[1] + length * std::cos(heading)},
-                         random.between(0.3, 2.0), end, random.between(5.0, 100.0)));
+                         sweep, end, feed));
       continue;
     }
     end[0] += length * std::cos(heading);
