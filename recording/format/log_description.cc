@@ -5,8 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <stanok_messages/arrival_t.hpp>
+#include <stanok_messages/channel_state_t.hpp>
+#include <stanok_messages/drive_status_t.hpp>
+#include <stanok_messages/event_t.hpp>
+#include <stanok_messages/feedback_t.hpp>
+#include <stanok_messages/force_status_t.hpp>
+#include <stanok_messages/input_t.hpp>
 #include <stanok_messages/log_check_t.hpp>
+#include <stanok_messages/path_t.hpp>
+#include <stanok_messages/process_status_t.hpp>
 #include <stanok_messages/program_chunk_t.hpp>
+#include <stanok_messages/program_read_t.hpp>
+#include <stanok_messages/setpoint_t.hpp>
+#include <stanok_messages/tool_row_t.hpp>
+#include <stanok_messages/tool_t.hpp>
+#include <stanok_messages/workpiece_t.hpp>
 #include <utility>
 
 #include "recording/format/encode_inputs.h"
