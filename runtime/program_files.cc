@@ -148,10 +148,12 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
   for (const fs::path& folder : folders) {
     const FileDescriptor file(open_beneath(folder, name));
     if (!file.is_open()) {
-      if (const int error = -file.number(); error == EXDEV || error == ELOOP) {
+      const int error = -file.number();
+      if (error == EXDEV || error == ELOOP) {
         return Unexpected<Diagnostic>(
             diagnostic("E7002", std::string(name) + " leads out of the program root", ""));
-      } else if (error != ENOENT && error != ENOTDIR) {
+      }
+      if (error != ENOENT && error != ENOTDIR) {
         return Unexpected<Diagnostic>(diagnostic(
             "E7004", "cannot open " + std::string(name) + ": " + system_error_text(error), ""));
       }

@@ -33,7 +33,7 @@ class FeedSink {
   virtual void take_motion(const lang::Command& /*command*/,
                            std::span<const motion::PathBlock> /*blocks*/) {}
   virtual void take_segment(const motion::PathBuilder::Built& /*built*/) {}
-  virtual void take_thread(motion::ThreadChain /*chain*/) {}
+  virtual void take_thread(motion::ThreadChain&& /*chain*/) {}
   virtual void take_item(const Item& /*item*/) {}
   virtual void take_request(const motion::BlockTag& /*tag*/, const lang::Request& /*request*/) {}
   virtual void take_rider(const Rider& /*rider*/) {}

@@ -32,7 +32,7 @@ void QueueSink::warn_of_feed(const motion::Segment& segment) {
   take_remark({segment.tag, SpokenText{FixedText<8>(warning->code), ShortText(warning->message)}});
 }
 
-void QueueSink::take_thread(motion::ThreadChain chain) {
+void QueueSink::take_thread(motion::ThreadChain&& chain) {
   while (!laws_.is_empty()) look_ahead_.add(laws_.next());
   look_ahead_.add(std::move(chain));
 }

@@ -29,7 +29,7 @@ class QueueSink final : public FeedSink {
   void take_motion(const lang::Command& command,
                    std::span<const motion::PathBlock> blocks) override;
   void take_segment(const motion::PathBuilder::Built& built) override;
-  void take_thread(motion::ThreadChain chain) override;
+  void take_thread(motion::ThreadChain&& chain) override;
   void take_item(const Item& item) override;
   void take_request(const motion::BlockTag& tag, const lang::Request& request) override;
   void take_rider(const Rider& rider) override { pending_riders_.push_back(rider); }

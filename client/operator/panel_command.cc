@@ -45,6 +45,7 @@ class Descriptor {
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] bool is_open() const { return number_ >= 0; }
   [[nodiscard]] int number() const { return number_; }
 
  private:
@@ -80,6 +81,7 @@ std::string text_from(const Descriptor& desk) {
 
 std::string link_from(const std::filesystem::path& socket) {
   const Descriptor desk(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  if (!desk.is_open()) throw ConnectionError("cannot open a socket: " + system_error_text(errno));
   connect_to_desk(desk, socket);
   const auto answer = protocol::json_from_text(text_from(desk));
   const std::string link = answer.is_object() ? answer.value("link", "") : "";

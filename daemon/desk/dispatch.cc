@@ -172,6 +172,7 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
        [](Dispatch&, const Call& call) { return subscribe(call, call.parameters["topics"], 0); }},
       {"session.role", [](Dispatch&, const Call& call) { return lower_role(call); }},
       {"system.info", [](Dispatch& d, const json&) { return d.system_info(); }},
+      // NOLINTNEXTLINE(performance-unnecessary-value-param): a handler of this kind answers itself
       {"system.shutdown", [](Dispatch& d, Call call) { d.shut_down(call); }},
       {"rpc.discover",
        [](Dispatch&, const json&) { return protocol::discovery_document(protocol::version); }},
@@ -285,12 +286,12 @@ void Dispatch::load_tables(Call call) {
 }
 
 // An answer that leaves an entry in the log, with `shown` for the parameters: texts are long.
-Answer Dispatch::logged(const Call& call, json shown) {
+Answer Dispatch::logged(const Call& call, Answer answer, json shown) {
   protocol::Request request;
   request.method = call.request.method;
   request.parameters = std::move(shown);
   return [who = call.session, request = std::move(request),
-          answer = call.answer](const CommandResult& outcome) {
+          answer = std::move(answer)](const CommandResult& outcome) {
     log_command(who, request, outcome);
     answer(outcome);
   };
@@ -299,11 +300,13 @@ Answer Dispatch::logged(const Call& call, json shown) {
 void Dispatch::write_program(Call call) {
   json shown = {{"program", call.parameters["program"]},
                 {"bytes", call.parameters["text"].get_ref<const std::string&>().size()}};
-  programs_.write(call.session.id, call.parameters, logged(call, std::move(shown)));
+  programs_.write(call.session.id, call.parameters,
+                  logged(call, std::move(call.answer), std::move(shown)));
 }
 
 void Dispatch::remove_program(Call call) {
-  programs_.remove(call.session.id, call.parameters, logged(call, call.parameters));
+  programs_.remove(call.session.id, call.parameters,
+                   logged(call, std::move(call.answer), call.parameters));
 }
 
 CommandResult Dispatch::tool_get(const json& parameters) const {

@@ -103,7 +103,7 @@ class Dispatch {
   void load_tables(Call call);
   void write_program(Call call);
   void remove_program(Call call);
-  [[nodiscard]] static Answer logged(const Call& call, nlohmann::json shown);
+  [[nodiscard]] static Answer logged(const Call& call, Answer answer, nlohmann::json shown);
   [[nodiscard]] CommandResult tool_get(const nlohmann::json& parameters) const;
   [[nodiscard]] CommandResult reset_drive(const Call& call);
   [[nodiscard]] CommandResult make_drive_fail(const Call& call);

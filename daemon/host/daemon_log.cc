@@ -114,8 +114,8 @@ DaemonLog::~DaemonLog() {
   }
   if (looks_without_lines == 2) return;
   // Its thread cannot be waited for; it ends with the process.
-  // NOLINTNEXTLINE(bugprone-unhandled-exception-at-new): without memory the process ends, as it
-  // does
+  // Without memory the process ends, as it does.
+  // NOLINTNEXTLINE(bugprone-unhandled-exception-at-new)
   static auto* const left_behind = new std::vector<std::shared_ptr<Writer>>();
   left_behind->push_back(writer_);
 }

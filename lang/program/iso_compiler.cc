@@ -143,7 +143,8 @@ bool IsoCompiler::compile_stop_variable(const IsoBlock& block) {
   made.span = code_.statement_span();
   made.words.m.add(m(0));
   file_.blocks.push_back(std::move(made));
-  code_.emit(Op::block, made.span, static_cast<std::uint32_t>(file_.blocks.size() - 1));
+  code_.emit(Op::block, file_.blocks.back().span,
+             static_cast<std::uint32_t>(file_.blocks.size() - 1));
   return true;
 }
 

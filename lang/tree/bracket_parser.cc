@@ -40,7 +40,7 @@ constexpr std::string_view angle_words = "ABC";
 
 // Folded, without the number that may follow directly: `#1EQ0`.
 std::string operator_name(const Token& token) {
-  const std::string name = folded(token.text);
+  std::string name = folded(token.text);
   if (token.kind != TokenKind::name) return name;
   return name.substr(0, name.find_first_of("0123456789"));
 }

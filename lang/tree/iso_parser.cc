@@ -41,14 +41,8 @@ MaybeStatement IsoParser::parse_iso() {
     scanner_.skip_blanks(LineEnds::significant);
     const char c = scanner_.character();
     if (scanner_.at_line_end() || (c == '}' && cursor_.inside_braces())) break;
-    if (c == ';' && cursor_.inside_braces()) {
-      if (!end_iso_in_braces()) return std::nullopt;
-      break;
-    }
     if (c == ';') {
-      const bool any = !block.words.empty() || !block.settings.empty();
-      if (any && !cursor_.skip_remark()) return std::nullopt;
-      if (!any) scanner_.skip_line_comment();
+      if (!end_at_semicolon(block)) return std::nullopt;
       break;
     }
     if (!parse_iso_part(block)) return std::nullopt;
@@ -62,6 +56,15 @@ MaybeStatement IsoParser::parse_iso() {
   Statement statement;
   statement.kind = std::move(block);
   return statement;
+}
+
+// Inside braces it ends the block, else a comment begins there.
+bool IsoParser::end_at_semicolon(const IsoBlock& block) {
+  if (cursor_.inside_braces()) return end_iso_in_braces();
+  const bool any = !block.words.empty() || !block.settings.empty();
+  if (any) return cursor_.skip_remark();
+  scanner_.skip_line_comment();
+  return true;
 }
 
 bool IsoParser::end_iso_in_braces() {

@@ -45,6 +45,7 @@ class IsoParser {
   static int argument_set(const IsoBlock& block, const IsoWord& word);
   static void replace_argument(IsoBlock& block, const IsoWord& word);
   bool add_argument(IsoBlock& block, IsoWord word, int set);
+  bool end_at_semicolon(const IsoBlock& block);
   bool end_iso_in_braces();
 
   TokenCursor& cursor_;

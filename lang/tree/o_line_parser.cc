@@ -31,6 +31,25 @@ std::string without_leading_zeros(const std::string& digits) {
 
 }  // namespace
 
+// The label of a line, from `at` on, which is left behind it.
+bool OLineParser::read_label(std::size_t& at, OLineAhead& line) const {
+  const auto character = [&] { return scanner_.character(at); };
+  if (character() == '<') {
+    for (++at; character() != '>'; ++at) {
+      if (character() == '\0' || is_line_end(character())) return false;
+      if (!is_blank(character())) line.written += character();
+    }
+    ++at;
+    line.label = folded(line.written);
+    return !line.label.empty();
+  }
+  for (; is_digit(character()); ++at) line.written += character();
+  if (line.written.empty()) return false;
+  line.numbered = true;
+  line.label = without_leading_zeros(line.written);
+  return !line.label.empty();
+}
+
 // The O-line that begins here, without reading it; nothing when it has a computed label.
 std::optional<OLineParser::OLineAhead> OLineParser::o_line_ahead() const {
   std::size_t at = 0;
@@ -45,20 +64,7 @@ std::optional<OLineParser::OLineAhead> OLineParser::o_line_ahead() const {
   if (upper_case(character()) != 'O') return std::nullopt;
   ++at;
   OLineAhead line;
-  if (character() == '<') {
-    for (++at; character() != '>'; ++at) {
-      if (character() == '\0' || is_line_end(character())) return std::nullopt;
-      if (!is_blank(character())) line.written += character();
-    }
-    ++at;
-    line.label = folded(line.written);
-  } else {
-    for (; is_digit(character()); ++at) line.written += character();
-    if (line.written.empty()) return std::nullopt;
-    line.numbered = true;
-    line.label = without_leading_zeros(line.written);
-  }
-  if (line.label.empty()) return std::nullopt;
+  if (!read_label(at, line)) return std::nullopt;
   line.label_length = at;
   skip_blanks();
   for (; is_name_part(character()); ++at) line.keyword += lower_case(character());

@@ -45,6 +45,7 @@ class OLineParser {
 
     [[nodiscard]] std::string text() const { return "O" + label + " " + keyword; }
   };
+  bool read_label(std::size_t& at, OLineAhead& line) const;
   std::optional<OLineAhead> o_line_ahead() const;
   MaybeStatement parse_program_number(const OLineAhead& line, const Span& span);
   MaybeStatement parse_computed_call();

@@ -142,6 +142,14 @@ bool read_word(const char*& at, const char* end, BlockWords& words, TextValues& 
   return at == end || (*at != '.' && *at != '=');
 }
 
+// The end of a line from its semicolon on; `rules`: null when no word is before it.
+bool ends_at_semicolon(const char*& at, const char* end, Surroundings surroundings,
+                       const TextRules* rules) {
+  if (rules != nullptr && surroundings == Surroundings::braces) return false;
+  if (rules != nullptr && rules->is_fanuc() && !is_blank_line(at + 1, end)) return false;
+  return skip_to_line_end(at, end);
+}
+
 // The words of a line up to its end; `at` is left there.
 bool read_words(const char*& at, const char* end, Surroundings surroundings, BlockWords& words,
                 TextValues& values) {
@@ -160,10 +168,7 @@ bool read_words(const char*& at, const char* end, Surroundings surroundings, Blo
     } else if (c == '(') {
       if (!skip_parentheses(at, end)) return false;
     } else if (c == ';') {
-      if (any && surroundings == Surroundings::braces) return false;
-      if (any && words.rules.is_fanuc())
-        return is_blank_line(at + 1, end) && skip_to_line_end(at, end);
-      return skip_to_line_end(at, end);
+      return ends_at_semicolon(at, end, surroundings, any ? &words.rules : nullptr);
     } else if (c == '#') {
       if (!values.read_setting(at) || (at != end && *at == '.')) return false;
       any = true;

@@ -100,7 +100,7 @@ std::optional<Swing> fit_swing_on_arcs(const Segment& incoming, const Segment& o
   double reach = std::min({reach_max, grown.reach(), replaceable(incoming), replaceable(outgoing)});
   constexpr int attempts = 16;
   for (int i = 0; i < attempts && reach >= reach_least; ++i) {
-    const Swing swing = even_swing(corner, form, reach);
+    Swing swing = even_swing(corner, form, reach);
     const double share =
         deviation_share(swing.parts, swing.reach, incoming, outgoing, used, config);
     if (share <= 1.0) return swing;

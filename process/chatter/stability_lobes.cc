@@ -143,9 +143,9 @@ std::optional<LobePoint> StabilityLobes::limit_at(double speed_rev_per_min) cons
     for (std::size_t k = 0; k + 1 < branch.size(); ++k) {
       const double before = waves_of(branch[k]);
       const double after = waves_of(branch[k + 1]);
-      const double last = std::floor(std::max(before, after));
-      for (double waves = std::max(std::ceil(std::min(before, after)), 0.0); waves <= last;
-           ++waves) {
+      const int last = static_cast<int>(std::floor(std::max(before, after)));
+      for (int waves = std::max(static_cast<int>(std::ceil(std::min(before, after))), 0);
+           waves <= last; ++waves) {
         const double part = before == after ? 0.0 : (waves - before) / (after - before);
         const double depth = std::lerp(branch[k].depth_mm, branch[k + 1].depth_mm, part);
         if (least && least->depth_mm <= depth) continue;
@@ -153,7 +153,7 @@ std::optional<LobePoint> StabilityLobes::limit_at(double speed_rev_per_min) cons
         least = {.speed_rev_per_min = speed_rev_per_min,
                  .depth_mm = depth,
                  .chatter_hz = omega / two_pi,
-                 .waves = static_cast<int>(waves)};
+                 .waves = waves};
       }
     }
   }

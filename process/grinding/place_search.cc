@@ -38,17 +38,22 @@ std::vector<double> search_places(std::vector<double> places_mm, double begin_mm
     places_mm = std::move(tried);
     return true;
   };
+  // One place as far as it becomes better.
+  const auto moves = [&](std::size_t place, double part) {
+    const double sign = improves(place, part) ? 1.0 : improves(place, -part) ? -1.0 : 0.0;
+    if (sign == 0.0) return false;
+    while (improves(place, sign * part)) {
+    }
+    return true;
+  };
+  // From the last one on: it decides the most.
+  const auto sweeps = [&](double part) {
+    bool has_moved = false;
+    for (std::size_t place = places_mm.size(); place-- > 0;) has_moved |= moves(place, part);
+    return has_moved;
+  };
   for (const double part : step_parts) {
-    for (bool has_improved = true; has_improved;) {
-      has_improved = false;
-      // From the last one on: it decides the most.
-      for (std::size_t place = places_mm.size(); place-- > 0;) {
-        const double sign = improves(place, part) ? 1.0 : improves(place, -part) ? -1.0 : 0.0;
-        if (sign == 0.0) continue;
-        has_improved = true;
-        while (improves(place, sign * part)) {
-        }
-      }
+    while (sweeps(part)) {
     }
   }
   return places_mm;

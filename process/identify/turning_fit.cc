@@ -162,6 +162,7 @@ std::vector<double> deviations(const CutRecord& record, const TurningModel& mode
   const ReadingNoise noise = noise_of(rest_w, cut_w);
   part = noise.part;
   std::vector<double> all;
+  all.reserve(cut_w.size());
   for (const double watts : cut_w) all.push_back(noise.deviation_w(watts));
   return all;
 }

@@ -1,5 +1,7 @@
 #include "runtime/workpiece/live_workpieces.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 
@@ -24,7 +26,7 @@ LiveWorkpieces::LiveWorkpieces(const channels::MachineConfig& machine, Complaint
   for (const channels::ChannelConfig& channel : machine.channels) {
     const auto on_complaint = [this, id = channel.id](const std::string& code,
                                                       const std::string& text) {
-      complain_("live workpiece of channel " + std::to_string(id) + ": " + code + ": " + text);
+      complain_(fmt::format("live workpiece of channel {}: {}: {}", id, code, text));
     };
     if (channel.axes.empty()) continue;
     Seat& seat = seats_.emplace_back();

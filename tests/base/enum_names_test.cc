@@ -9,7 +9,7 @@ namespace stanok {
 namespace {
 
 enum class Shape : std::uint8_t { round, square, flat };
-enum class Answer { yes = 1, no };
+enum class Answer : std::uint8_t { yes = 1, no };
 
 constexpr auto shape_names = enum_names<Shape>(
     {{Shape::flat, "flat"}, {Shape::round, "round"}, {Shape::square, "a square"}});

@@ -20,7 +20,7 @@ using testing::MachineBench;
 // its own claims.
 constexpr double impossible_jerk = 1e-300;
 
-MachineConfig machine_with_impossible_Y() {
+MachineConfig machine_with_an_impossible_jerk() {
   MachineConfig config = testing::two_channel_machine();
   config.axes[1].limits.jerk_max = impossible_jerk;
   return config;
@@ -41,7 +41,7 @@ TEST(BrokenClaims, NameFileLineAndClaim) {
 
 // The way to a rest that is left after the program went wrong obeys the limits of X.
 TEST(BrokenClaims, OfAPreparationStopItsChannelAlongThePath) {
-  MachineBench bench(machine_with_impossible_Y());
+  MachineBench bench(machine_with_an_impossible_jerk());
   bench.program("p.nc", long_way_then_Y);
   bench.run(1, "p.nc");
   double jerk_max = 0.0;
@@ -70,7 +70,7 @@ TEST(BrokenClaims, LeaveTheOtherChannelsAlone) {
 }
 
 TEST(BrokenClaims, AreOverWithAReset) {
-  MachineBench bench(machine_with_impossible_Y());
+  MachineBench bench(machine_with_an_impossible_jerk());
   bench.program("p.nc", long_way_then_Y);
   bench.program("q.nc", "G1 X10 F6000\nM30\n");
   bench.run(1, "p.nc");

@@ -37,7 +37,7 @@ bool is_address(const std::string& name) {
 
 }  // namespace
 
-OwnNames::OwnNames(Scheme scheme, std::set<std::string> names) : scheme_(scheme) {
+OwnNames::OwnNames(Scheme scheme, const std::set<std::string>& names) : scheme_(scheme) {
   for (const std::string& name : names) names_.insert(in_lower_case(name));
   names_.insert({"localhost", "127.0.0.1", "[::1]"});
 }

@@ -18,7 +18,7 @@ enum class Scheme { http, https };
 class OwnNames {
  public:
   // Loopback addresses and `localhost` are always its own.
-  OwnNames(Scheme scheme, std::set<std::string> names);
+  OwnNames(Scheme scheme, const std::set<std::string>& names);
   // Servers on other addresses are called by address, too: an address cannot be made to point here.
   void allow_addresses() { has_any_address_ = true; }
 

@@ -134,10 +134,11 @@ void WebServer::Parts::admit(tcp::socket socket) {
   const auto connection =
       std::make_shared<ClientConnection>(std::move(socket), tls ? &*tls : nullptr, house);
   const std::uint64_t id = connections.add(connection);
-  asio::co_spawn(io, ClientConnection::serve(connection), [this, id](std::exception_ptr fault) {
-    tell_fault(fault);
-    connections.forget(id);
-  });
+  asio::co_spawn(io, ClientConnection::serve(connection),
+                 [this, id](const std::exception_ptr& fault) {
+                   tell_fault(fault);
+                   connections.forget(id);
+                 });
 }
 
 asio::awaitable<void> WebServer::Parts::keep_order() {

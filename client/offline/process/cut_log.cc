@@ -57,17 +57,17 @@ class CutSurface {
   [[nodiscard]] double depth_mm(double x_mm, double z_mm) {
     const double from_mm = stock_.front().z_mm;
     if (z_mm > from_mm) {
-      place_ = -1.0;
+      place_ = -1;
       return 0.0;
     }
-    const double place = std::min(std::floor((from_mm - z_mm) / place_mm), places_max);
+    const auto place = static_cast<std::int64_t>(std::min((from_mm - z_mm) / place_mm, places_max));
     if (place == place_) return depth_mm_;
     const double radius = std::abs(x_mm);
-    const double depth = left_at(static_cast<std::size_t>(place)) - radius;
+    const double depth = left_at(checked_size(place)) - radius;
     // What lies between two cycles is cut as well.
-    const double from = place_ >= 0.0 && place > place_ ? place_ + 1.0 : place;
-    for (double between = from; between <= place; between += 1.0) {
-      double& left = left_at(static_cast<std::size_t>(between));
+    const std::int64_t from = place_ >= 0 && place > place_ ? place_ + 1 : place;
+    for (std::int64_t between = from; between <= place; ++between) {
+      double& left = left_at(checked_size(between));
       left = std::min(left, radius);
     }
     place_ = place;
@@ -89,8 +89,8 @@ class CutSurface {
 
   std::vector<StockStep> stock_;
   std::vector<double> left_;
-  double place_ = -1.0;    // of the cycle before
-  double depth_mm_ = 0.0;  // there
+  std::int64_t place_ = -1;  // of the cycle before
+  double depth_mm_ = 0.0;    // there
 };
 
 struct Reading {
@@ -131,67 +131,95 @@ void hold_readings(std::vector<Reading>& readings) {
   readings = std::move(all);
 }
 
+// Takes the events of a log one after the other.
+class CutReading {
+ public:
+  CutReading(const recording::LogContents& contents, int channel, int spindle,
+             const std::vector<StockStep>& stock)
+      : axes_(tool_axes(contents, channel)),
+        setpoints_(contents.setpoint_channels.at(channel)),
+        channel_(channel),
+        spindle_(spindle),
+        surface_(stock) {
+    log_.record.cycle_s = contents.description->cycle_us * 1e-6;
+  }
+
+  void take(const recording::LogEvent& event) {
+    const std::string_view topic = recording::topic_of(event.channel);
+    if (topic == recording::name_of(recording::Topic::input)) {
+      if (const auto message = recording::decode<input_t>(event.bytes)) take_input(*message);
+    } else if (topic == recording::name_of(recording::Topic::process)) {
+      const auto message = recording::decode<process_status_t>(event.bytes);
+      if (message && message->channel == channel_) rev_per_min_ = std::abs(message->spindle_speed);
+    } else if (event.channel == setpoints_) {
+      if (const auto message = recording::decode<setpoint_t>(event.bytes)) take_setpoint(*message);
+    }
+  }
+
+  [[nodiscard]] bool has_power() const { return !readings_.empty(); }
+  CutLog end() {
+    hold_readings(readings_);
+    const std::vector<bool> is_steady = steady_rows(log_.record);
+    // What a cycle was given is what the cycle before had made.
+    for (const Reading& reading : readings_) {
+      const std::int64_t row = reading.cycle - 1 - first_cycle_;
+      if (row >= 0 && std::cmp_less(row, log_.record.rows.size()) && is_steady[checked_size(row)])
+        log_.record.rows[checked_size(row)].power_w = reading.power_w;
+    }
+    return std::move(log_);
+  }
+
+ private:
+  void take_input(const input_t& message) {
+    const channels::InputRecord record = recording::from_input(message);
+    const auto* const input = std::get_if<channels::SpindleInput>(&record.content);
+    if (input == nullptr || input->spindle != spindle_ ||
+        input->quantity != channels::SpindleQuantity::power_w)
+      return;
+    readings_.push_back({.cycle = record.cycle, .power_w = input->value});
+  }
+
+  void take_setpoint(const setpoint_t& message) {
+    if (first_cycle_ < 0) first_cycle_ = message.cycle;
+    const double x = message.tip_position[axes_.x];
+    const double z = message.tip_position[axes_.z];
+    const double cycle_s = log_.record.cycle_s;
+    const bool feeds = message.feed_commanded > 0.0;
+    log_.record.rows.push_back({.rev_per_min = rev_per_min_,
+                                .radius_mm = std::abs(x),
+                                .depth_mm = feeds ? surface_.depth_mm(x, z) : 0.0,
+                                .travel_mm = feeds ? message.path_speed * cycle_s : 0.0});
+    log_.time_s.push_back(static_cast<double>(message.cycle - first_cycle_) * cycle_s);
+  }
+
+  ToolAxes axes_;
+  std::string setpoints_;
+  int channel_;
+  int spindle_;
+  CutSurface surface_;
+  CutLog log_;
+  std::vector<Reading> readings_;
+  std::int64_t first_cycle_ = -1;
+  double rev_per_min_ = 0.0;
+};
+
 }  // namespace
 
 CutLog read_cut_log(const std::filesystem::path& file, int channel, int spindle,
                     const std::vector<StockStep>& stock) {
   const auto contents = recording::read_contents(file);
   if (!contents) throw std::runtime_error(contents.error().text);
-  const auto name = contents->setpoint_channels.find(channel);
-  if (name == contents->setpoint_channels.end() || !contents->description)
+  if (!contents->setpoint_channels.contains(channel) || !contents->description)
     throw std::runtime_error("the log has no setpoints of channel " + std::to_string(channel));
-  const ToolAxes axes = tool_axes(*contents, channel);
   auto reader = LogReader::open(file);
   if (!reader) throw std::runtime_error(reader.error().text);
-
-  CutLog log;
-  log.record.cycle_s = contents->description->cycle_us * 1e-6;
-  std::vector<Reading> readings;
-  std::int64_t first_cycle = -1;
-  double rev_per_min = 0.0;
-  CutSurface surface(stock);
-  while (const auto event = reader->next()) {
-    const std::string_view topic = recording::topic_of(event->channel);
-    if (topic == recording::name_of(recording::Topic::input)) {
-      const auto message = recording::decode<input_t>(event->bytes);
-      if (!message) continue;
-      const channels::InputRecord record = recording::from_input(*message);
-      const auto* const input = std::get_if<channels::SpindleInput>(&record.content);
-      if (input == nullptr || input->spindle != spindle ||
-          input->quantity != channels::SpindleQuantity::power_w)
-        continue;
-      readings.push_back({.cycle = record.cycle, .power_w = input->value});
-    } else if (topic == recording::name_of(recording::Topic::process)) {
-      const auto message = recording::decode<process_status_t>(event->bytes);
-      if (message && message->channel == channel) rev_per_min = std::abs(message->spindle_speed);
-    } else if (event->channel == name->second) {
-      const auto message = recording::decode<setpoint_t>(event->bytes);
-      if (!message) continue;
-      if (first_cycle < 0) first_cycle = message->cycle;
-      const double x = message->tip_position[axes.x];
-      const double z = message->tip_position[axes.z];
-      const bool feeds = message->feed_commanded > 0.0;
-      log.record.rows.push_back(
-          {.rev_per_min = rev_per_min,
-           .radius_mm = std::abs(x),
-           .depth_mm = feeds ? surface.depth_mm(x, z) : 0.0,
-           .travel_mm = feeds ? message->path_speed * log.record.cycle_s : 0.0});
-      log.time_s.push_back(static_cast<double>(message->cycle - first_cycle) * log.record.cycle_s);
-    }
-  }
-  hold_readings(readings);
-  const std::vector<bool> is_steady = steady_rows(log.record);
-  // What a cycle was given is what the cycle before had made.
-  for (const Reading& reading : readings) {
-    const std::int64_t row = reading.cycle - 1 - first_cycle;
-    if (row >= 0 && std::cmp_less(row, log.record.rows.size()) && is_steady[checked_size(row)])
-      log.record.rows[checked_size(row)].power_w = reading.power_w;
-  }
-  if (readings.empty()) {
+  CutReading reading(*contents, channel, spindle, stock);
+  while (const auto event = reader->next()) reading.take(*event);
+  if (!reading.has_power()) {
     throw std::runtime_error("the log has no power of spindle " + std::to_string(spindle + 1) +
                              "; its drive has to report it (power_w)");
   }
-  return log;
+  return reading.end();
 }
 
 }  // namespace stanok::client

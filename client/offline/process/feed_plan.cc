@@ -30,6 +30,7 @@ double ForceModel::feed_per_rev(double depth_mm, double factor, double force_n) 
 std::vector<FeedStretch> plan_feeds(const std::vector<CutPlace>& places, const ForceModel& model,
                                     double force_n, const FeedLimits& limits) {
   std::vector<double> permitted;
+  permitted.reserve(places.size());
   for (const CutPlace& place : places) {
     permitted.push_back(floored(model.feed_per_rev(place.depth_mm, place.factor, force_n), limits));
   }
@@ -37,8 +38,8 @@ std::vector<FeedStretch> plan_feeds(const std::vector<CutPlace>& places, const F
   std::vector<double> allowed = permitted;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const double from = places[k].way_mm - permitted[k];
-    for (std::size_t before = k; before-- > 0 && places[before + 1].way_mm > from;)
-      allowed[before] = std::min(allowed[before], permitted[k]);
+    for (std::size_t reached = k; reached > 0 && places[reached].way_mm > from; --reached)
+      allowed[reached - 1] = std::min(allowed[reached - 1], permitted[k]);
   }
   std::vector<FeedStretch> stretches;
   for (std::size_t k = 0; k < places.size(); ++k) {

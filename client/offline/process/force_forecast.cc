@@ -59,13 +59,20 @@ std::optional<double> word_value(const std::string& line, char word) {
   return value;
 }
 
+plant::Stock stock_of(const config::CuttingConfig& cutting) {
+  if (cutting.stock.empty())
+    throw std::runtime_error(
+        "the machine file has no workpiece; give [[simulation.cutting.stock]]");
+  return plant::Stock(cutting.stock);
+}
+
 class ForecastRun {
  public:
   explicit ForecastRun(const ForecastRequest& request)
       : request_(request),
         machine_(machine_file_of(request.job)),
         cutting_(machine_.simulation.cutting),
-        stock_(checked(cutting_).stock),
+        stock_(stock_of(cutting_)),
         model_{.coefficient_n = cutting_.specific_force_n, .exponent = cutting_.feed_exponent},
         text_lines_(lines_of(request.program)) {}
 
@@ -87,14 +94,6 @@ class ForecastRun {
   }
 
  private:
-  static const config::CuttingConfig& checked(const config::CuttingConfig& cutting) {
-    if (cutting.stock.empty()) {
-      throw std::runtime_error(
-          "the machine file has no workpiece; give [[simulation.cutting.stock]]");
-    }
-    return cutting;
-  }
-
   void find_axes(const channels::ChannelConfig& channel) {
     const auto place = [&](const char* word) {
       const auto found = std::ranges::find(channel.words, word);

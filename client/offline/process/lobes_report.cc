@@ -46,7 +46,9 @@ std::string cut_text(const PlannedCut& cut) {
 // Marks of a logarithmic axis: 1, 2, 3 and 5 of each power of ten.
 std::string marks(double from, double to) {
   std::string text;
-  for (double power = std::pow(10.0, std::floor(std::log10(from))); power <= to; power *= 10.0) {
+  const int last = static_cast<int>(std::floor(std::log10(to)));
+  for (int decade = static_cast<int>(std::floor(std::log10(from))); decade <= last; ++decade) {
+    const double power = std::pow(10.0, decade);
     for (const double part : {1.0, 2.0, 3.0, 5.0}) {
       const double mark = part * power;
       if (mark < from || mark > to) continue;

@@ -23,7 +23,7 @@ class RememberingSink final : public FeedSink {
     blocks.insert(blocks.end(), made.begin(), made.end());
   }
   void take_segment(const motion::PathBuilder::Built& /*built*/) override { events += 's'; }
-  void take_thread(motion::ThreadChain /*chain*/) override { events += 't'; }
+  void take_thread(motion::ThreadChain&& /*chain*/) override { events += 't'; }
   void take_item(const Item& item) override {
     events += 'i';
     items.push_back(item);
