@@ -119,8 +119,9 @@ bool MacroLineParser::parse_branches(If& branch, const Span& opened) {
   }
   ++cursor_.depth().o_lines;
   bool closed = false;
-  while (!closed && !scanner_.at_end()) {
+  while (!closed) {
     if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
+    if (cursor_.at_body_end()) break;
     const std::string name = folded(scanner_.name_ahead());
     const bool divides = name == "else" && body == &branch.then_body;
     closed = name == "endif";
@@ -187,8 +188,9 @@ bool MacroLineParser::parse_loop_body(While& loop, const Span& opened) {
   open_loops_.push_back(number);
   ++cursor_.depth().o_lines;
   std::optional<std::string> end;
-  while (!end && !scanner_.at_end()) {
+  while (!end) {
     if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
+    if (cursor_.at_body_end()) break;
     if (scanner_.at_line_start()) end = take_end(loop.body);
     if (!end) statements_.parse_statement(loop.body);
   }

@@ -269,7 +269,7 @@ std::optional<std::string> OLineParser::parse_o_body(const OpenOLine& open,
   std::optional<std::string> end;
   while (!end) {
     if (!scanner_.at_line_end()) scanner_.skip_blanks(LineEnds::significant);
-    if (scanner_.at_end() || (scanner_.character() == '}' && cursor_.inside_braces())) {
+    if (cursor_.at_body_end()) {
       reporter_.error("E2013", open.span, "`" + open.text() + "` is not closed",
                       "`O" + open.label + " " + std::string(ends.back()) + "` is missing");
       break;

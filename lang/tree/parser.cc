@@ -328,6 +328,7 @@ MaybeStatement Parser::refuse_type(const std::string& name) {
 
 // To the next place where a statement can begin.
 void Parser::recover(std::size_t start) {
+  if (scanner().offset() != start && cursor_.at_body_end()) return;
   const std::string word = folded(cursor_.source().text().substr(start, 6));
   for (const std::string_view keyword : {"for", "while", "if", "switch"}) {
     if (word.starts_with(keyword) && !is_name_part(word.c_str()[keyword.size()]))

@@ -12,6 +12,10 @@ bool TokenCursor::at_statement_end() const {
   return scanner_.at_line_end() || (scanner_.character() == '}' && inside_braces());
 }
 
+bool TokenCursor::at_body_end() const {
+  return scanner_.at_end() || (scanner_.character() == '}' && inside_braces());
+}
+
 bool TokenCursor::accept(std::string_view symbol) {
   if (!scanner_.peek(line_ends_).is(symbol)) return false;
   scanner_.take(line_ends_);

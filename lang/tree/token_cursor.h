@@ -48,6 +48,8 @@ class TokenCursor {
   [[nodiscard]] bool at_file_level() const { return depth_.braces == 0 && depth_.o_lines == 0; }
   // The end of the line, or the brace that closes what it stands in.
   [[nodiscard]] bool at_statement_end() const;
+  // The end of the text, or the brace that closes what it stands in: no statement begins there.
+  [[nodiscard]] bool at_body_end() const;
 
   bool accept(std::string_view symbol);
   bool expect(std::string_view symbol, std::string_view after);
