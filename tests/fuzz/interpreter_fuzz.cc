@@ -11,7 +11,9 @@ using namespace stanok::lang;
 
 namespace {
 
-constexpr int steps_max = 3000;  // a loop for ever is a valid program
+// A loop for ever is a valid program. One that moves nothing computes many statements in a step.
+constexpr int steps_max = 3000;
+constexpr int working_steps_max = 100;
 
 void check(const Command& command) {
   const Move* const move = move_of(command.payload);
@@ -39,12 +41,14 @@ void run(const ChannelDescription& channel, const Files& files) {
   Interpreter interpreter(channel, tables, files);
   interpreter.start(*program, {});
   Command command;
-  for (int step = 0; step < steps_max; ++step) {
+  int working_steps = 0;
+  for (int step = 0; step < steps_max && working_steps < working_steps_max; ++step) {
     switch (interpreter.next(command)) {
       case Step::command:
         check(command);
         break;
       case Step::working:
+        ++working_steps;
         break;
       case Step::waiting:
         interpreter.answer(answer_to(command));
