@@ -19,7 +19,7 @@ cpack --config "$build/CPackConfig.cmake" -B "$folder/made" >"$folder/cpack.log"
   fail "cpack: $(tail -n 20 "$folder/cpack.log")"
 package=$(find "$folder/made" -maxdepth 1 -name '*.deb')
 [[ -n $package ]] || fail "no package: $(cat "$folder/cpack.log")"
-dpkg-deb --field "$package" Depends | grep -q libmodbus || fail "the package does not depend on its libraries"
+[[ "$(dpkg-deb --field "$package" Depends)" == *libmodbus* ]] || fail "the package does not depend on its libraries"
 dpkg-deb --extract "$package" "$folder/unpacked"
 usr=$folder/unpacked/usr
 for file in bin/stanok bin/stanokd bin/stanok-drives bin/stanok-web lib/systemd/system/stanokd@.service lib/systemd/system/stanok-web@.service lib/sysusers.d/stanok.conf \

@@ -32,7 +32,7 @@ check_link() {
   [[ -n "$path" ]] && file="$folder/$path"
   if [[ ! -e "$file" ]]; then
     echo "$place: no file '$path'" >&2
-  elif [[ -n "$fragment" && -f "$file" ]] && ! fragments_of "$file" | grep -xF -- "$fragment" >/dev/null; then
+  elif [[ -n "$fragment" && -f "$file" ]] && ! grep -qxF -- "$fragment" <<<"$(fragments_of "$file")"; then
     echo "$place: no heading '#$fragment' in ${file#./}" >&2
   else
     return 0

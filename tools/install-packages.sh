@@ -18,10 +18,15 @@ is_installed() {
   [[ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" == installed ]] || is_provided "$1"
 }
 
-# Another package may bring the same: a newer nodejs has npm in it, and forbids the package npm.
+# Another package may bring the same: a newer nodejs has npm in it, and forbids the package npm. The
+# list is read to its end: a reader that goes at its first find fails the writer, and so the pipe.
 is_provided() {
-  dpkg-query -W -f '${db:Status-Status} ${Provides}\n' | sed -n 's/^installed //p' | tr -d ' ' | tr ',' '\n' |
-    sed 's/(.*//' | grep -Fxq -- "$1"
+  dpkg-query -W -f '${db:Status-Status} ${Provides}\n' | awk -v name="$1" '
+    $1 == "installed" {
+      gsub(/\([^)]*\)|,/, " ")
+      for (i = 2; i <= NF; ++i) if ($i == name) found = 1
+    }
+    END { exit !found }'
 }
 
 as_root() {

@@ -16,7 +16,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/in_namespace.sh"
 expect() {  # TEXT in the output of a command
   local wanted=$1
   shift
-  operate "$@" --json | grep -q "$wanted" || fail "stanok $* does not say $wanted"
+  grep -q "$wanted" <<<"$(operate "$@" --json)" || fail "stanok $* does not say $wanted"
 }
 
 # A groove of 6 x 2 round a square, and a rapid through the corner of the block.
