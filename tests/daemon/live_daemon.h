@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
+#include <exception>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -33,7 +34,13 @@ class LiveDaemon {
     });
     while (!RawClient::is_answered(socket())) std::this_thread::yield();
   }
-  ~LiveDaemon() { end(); }
+  ~LiveDaemon() {
+    try {
+      end();
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << "the daemon does not end: " << error.what();
+    }
+  }
   LiveDaemon(const LiveDaemon&) = delete;
   LiveDaemon& operator=(const LiveDaemon&) = delete;
 

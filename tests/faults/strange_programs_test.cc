@@ -34,6 +34,7 @@ std::string binary(unsigned count) {
 }
 
 constexpr int million = 1'000'000;
+constexpr std::size_t ten_million = 10'000'000;
 
 struct Strange {
   const char* name;
@@ -97,11 +98,11 @@ INSTANTIATE_TEST_SUITE_P(
                            [] { return utf_16_without_mark("G90 G1 X1 F100\nM30\n"); }),
                       text("Binary", "E1001", [] { return binary(million); }),
                       text("LineOfTenMegabytes", "E1007",
-                           [] { return "G1 X1" + std::string(10 * million, ' ') + "F100\nM30\n"; }),
+                           [] { return "G1 X1" + std::string(ten_million, ' ') + "F100\nM30\n"; }),
                       text("CommentOfTenMegabytes", "",
-                           [] { return "; " + std::string(10 * million, 'x') + "\nM30\n"; }),
+                           [] { return "; " + std::string(ten_million, 'x') + "\nM30\n"; }),
                       text("NumberOfTenMegabytes", "E1002",
-                           [] { return "G1 X" + std::string(10 * million, '1') + "\nM30\n"; }),
+                           [] { return "G1 X" + std::string(ten_million, '1') + "\nM30\n"; }),
                       text("MillionParentheses", "E2030",
                            [] {
                              return "num aa = " + std::string(million, '(') + "1" +

@@ -105,7 +105,8 @@ TEST_P(ToolDirection, IsReachedByEveryBranchOfEveryOrientation) {
 // At the poles and as near to them as numbers go.
 TEST_P(ToolDirection, HasNoNumberThatIsNoneNearPoles) {
   const Vector pole = pointed_to(*scheme_, scheme_->directions({0, 0, 1}).axes, {0.0, 0.0});
-  for (double tilt = 1e-16; tilt < 1e-2; tilt *= 10.0) {
+  for (int power = -16; power < -2; ++power) {
+    const double tilt = std::pow(10.0, power);
     for (int i = 0; i < 360; i += 15) {
       const Vector wanted = (pole + tilt * Vector(std::cos(i * rad_of_direction),
                                                   std::sin(i * rad_of_direction), 0.0))

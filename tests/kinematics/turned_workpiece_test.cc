@@ -115,9 +115,10 @@ TEST(TurnedWorkpiece, KeepsIdFileAndParkingOfTheActiveScheme) {
     EXPECT_EQ(config.id, 3);
     EXPECT_EQ(config.file, "lathe.toml");
     EXPECT_EQ(config.parking.size(), 1U);
-    const auto* face = std::get_if<PolarFace::Geometry>(&config.geometry);
-    const auto* cylinder = std::get_if<Cylinder::Geometry>(&config.geometry);
-    EXPECT_EQ(face != nullptr ? face->base_type : cylinder->base_type, "lathe");
+    if (const auto* const face = std::get_if<PolarFace::Geometry>(&config.geometry))
+      EXPECT_EQ(face->base_type, "lathe");
+    else
+      EXPECT_EQ(std::get<Cylinder::Geometry>(config.geometry).base_type, "lathe");
     EXPECT_NE(make_scheme(config), nullptr);
   }
 }

@@ -55,11 +55,59 @@ class DispatchTest : public ::testing::Test {
   }
   void tick(std::chrono::milliseconds after) { dispatch.tick(SteadyTime{} + 1h + after); }
 
+  // A method that the desk answers, at once, from another thread or when the cycle knows it.
+  void expect_an_answer(const protocol::Method& method, const json& parameters) {
+    const auto slot = ask(std::string(method.name), parameters);
+    if (method.name == "channel.control")
+      dispatch.on_reply(accepted(machine.submitted().back().id));
+    else
+      while (!slot->has_value()) tick(1ms);
+    ASSERT_TRUE(slot->has_value());
+    EXPECT_TRUE(slot->value().has_value()) << slot->value().error().message;
+  }
+  // A method that is handed to the machine.
+  void expect_an_action(const protocol::Method& method, const json& parameters) {
+    const std::size_t before = machine.submitted().size();
+    const auto slot = ask(std::string(method.name), parameters);
+    ASSERT_EQ(machine.submitted().size(), before + 1);
+    EXPECT_EQ(channels::name_of(machine.submitted().back().action()), method.action);
+    dispatch.on_reply(accepted(machine.submitted().back().id));
+    ASSERT_TRUE(slot->has_value());
+    EXPECT_EQ(*slot->value(), json({{"accepted", true}}));
+  }
+
   FakeMachine machine;
   bool shutdown_asked = false;
   SessionState session;
   Dispatch dispatch{machine, {"test", "/state", "/socket"}, [this] { shutdown_asked = true; }};
 };
+
+// Something that the method accepts, for each of its parameters.
+json accepted_value(const protocol::Parameter& parameter) {
+  if (parameter.spelling == protocol::Spelling::file) return "[offset.G54]\n";
+  switch (parameter.type) {
+    case protocol::ParameterType::text:
+      return "a.nc";
+    case protocol::ParameterType::choice:
+      return parameter.choices.front();
+    case protocol::ParameterType::text_list:
+      return json::array({parameter.choices.front()});
+    default:
+      return parameter.maximum;
+  }
+}
+
+json accepted_parameters(const protocol::Method& method) {
+  json parameters = json::object();
+  for (const protocol::Parameter& parameter : method.parameters) {
+    if (parameter.presence != protocol::Presence::optional)
+      parameters[std::string(parameter.name)] = accepted_value(parameter);
+  }
+  if (method.name == "program.remove") parameters["version"] = "any";
+  if (method.name == "program.path") parameters.clear();
+  if (method.name == "scope.start") parameters["signals"] = "cycle.time";
+  return parameters;
+}
 
 // Of two sessions one has channel 1; only stops of the other one pass.
 TEST_F(DispatchTest, GivesAChannelToOneSession) {
@@ -163,46 +211,17 @@ TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
   for (const protocol::Method& method : protocol::methods()) {
     if (method.name == "program.check" || method.name == "program.estimate")
       continue;  // the schemes of this machine are none
-    json parameters = json::object();
-    for (const auto& parameter : method.parameters) {
-      if (parameter.presence == protocol::Presence::optional) continue;
-      if (parameter.spelling == protocol::Spelling::file) {
-        parameters[std::string(parameter.name)] = "[offset.G54]\n";
-      } else if (parameter.type == protocol::ParameterType::text) {
-        parameters[std::string(parameter.name)] = "a.nc";
-      } else if (parameter.type == protocol::ParameterType::choice) {
-        parameters[std::string(parameter.name)] = parameter.choices.front();
-      } else if (parameter.type == protocol::ParameterType::text_list) {
-        parameters[std::string(parameter.name)] = json::array({parameter.choices.front()});
-      } else {
-        parameters[std::string(parameter.name)] = parameter.maximum;
-      }
-    }
-    session.role = Role::integrator;
-    const std::size_t before = machine.submitted().size();
-    std::filesystem::remove(root.path() / "a.nc");
-    if (method.name != "program.write") std::ofstream(root.path() / "a.nc") << "M30\n";
-    if (method.name == "program.remove") parameters["version"] = "any";
-    if (method.name == "program.path") parameters.clear();
-    if (method.name == "scope.start") parameters["signals"] = "cycle.time";
+    const json parameters = accepted_parameters(method);
     if (parameters.contains("file") && method.name.starts_with("history."))
       continue;  // no log here
-    const auto slot = ask(std::string(method.name), parameters);
-    while (method.action.empty() && method.name != "channel.control" && !slot->has_value())
-      tick(1ms);                           // files are read in another thread
-    if (method.name == "channel.control")  // answered when the cycle knows it
-      dispatch.on_reply(accepted(machine.submitted().back().id));
-    if (method.action.empty()) {
-      ASSERT_TRUE(slot->has_value()) << method.name;
-      EXPECT_TRUE(slot->value().has_value())
-          << method.name << ": " << slot->value().error().message;
-    } else {
-      ASSERT_EQ(machine.submitted().size(), before + 1) << method.name;
-      EXPECT_EQ(channels::name_of(machine.submitted().back().action()), method.action);
-      dispatch.on_reply(accepted(machine.submitted().back().id));
-      ASSERT_TRUE(slot->has_value()) << method.name;
-      EXPECT_EQ(*slot->value(), json({{"accepted", true}}));
-    }
+    session.role = Role::integrator;
+    std::filesystem::remove(root.path() / "a.nc");
+    if (method.name != "program.write") std::ofstream(root.path() / "a.nc") << "M30\n";
+    SCOPED_TRACE(method.name);
+    if (method.action.empty())
+      expect_an_answer(method, parameters);
+    else
+      expect_an_action(method, parameters);
   }
   EXPECT_TRUE(shutdown_asked);
 }

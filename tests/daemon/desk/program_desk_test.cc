@@ -125,9 +125,10 @@ TEST_F(ProgramDeskTest, PagesOfAPathHaveTheirPointsAndLines) {
   const std::string bytes = decoded(geometry["base64"].get<std::string>());
   const std::size_t count = geometry["count"].get<std::size_t>();
   ASSERT_EQ(bytes.size(), count * 16);
-  EXPECT_EQ(value_at<float>(bytes, 3 * 7), 7.0F);
-  EXPECT_EQ(value_at<float>(bytes, 3 * 7 + 2), -1.0F);
-  EXPECT_EQ(value_at<std::uint32_t>(bytes, 3 * count + 7), 14U);
+  const std::size_t point = 7;
+  EXPECT_EQ(value_at<float>(bytes, 3 * point), 7.0F);
+  EXPECT_EQ(value_at<float>(bytes, 3 * point + 2), -1.0F);
+  EXPECT_EQ(value_at<std::uint32_t>(bytes, 3 * count + point), 14U);
   const auto second = *desk.path(geometry["more"]["params"], 1);
   EXPECT_EQ(second["geometry"]["page"], 1);
   EXPECT_EQ(second["geometry"]["count"], 3);

@@ -32,11 +32,11 @@ class ScopeTest : public ::testing::Test {
   void cycles(std::int64_t from, std::int64_t to) {
     for (std::int64_t number = from; number < to; ++number) cycle(number);
   }
-  void start(json parameters) {
+  void start(const json& parameters) {
     const auto started = start_scope(scope, file.machine, parameters);
     ASSERT_TRUE(started) << started.error().message;
   }
-  std::string refusal(json parameters) {
+  std::string refusal(const json& parameters) {
     const auto started = start_scope(scope, file.machine, parameters);
     return started ? "" : started.error().message;
   }
