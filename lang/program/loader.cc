@@ -33,20 +33,6 @@ void for_each_body(const Statement& statement, Visit visit) {
   if (const auto* subprogram = std::get_if<OSubprogram>(&statement.kind)) visit(subprogram->body);
 }
 
-bool defines_subprogram(const StatementList& tree, const std::string& label) {
-  return std::any_of(tree.begin(), tree.end(), [&](const Statement& statement) {
-    const auto* subprogram = std::get_if<OSubprogram>(&statement.kind);
-    return subprogram != nullptr && subprogram->label.name == label;
-  });
-}
-
-bool defines_program(const StatementList& tree, int number) {
-  return std::any_of(tree.begin(), tree.end(), [&](const Statement& statement) {
-    const auto* program = std::get_if<NumberedProgram>(&statement.kind);
-    return program != nullptr && program->number == number;
-  });
-}
-
 // The program that M98, M198 or G65 of a block names by a plain number.
 struct NamedProgram {
   int number = 0;
@@ -203,7 +189,17 @@ void Loader::parse(FileIndex index) {
   Parser parser(source, reporter, std::move(context));
   StatementList tree = parser.parse_program();
   loaded_[index].tree = std::move(tree);
+  list_definitions(loaded_[index]);
   tell_foreign_control(index);
+}
+
+void Loader::list_definitions(LoadedFile& file) {
+  for (const Statement& statement : file.tree) {
+    if (const auto* subprogram = std::get_if<OSubprogram>(&statement.kind))
+      file.subprograms.insert(subprogram->label.name);
+    if (const auto* program = std::get_if<NumberedProgram>(&statement.kind))
+      file.programs.insert(program->number);
+  }
 }
 
 void Loader::tell_foreign_control(FileIndex index) {
@@ -301,7 +297,7 @@ void Loader::follow_o_call(FileIndex index, const OCall& call) {
   const OLabel& label = call.label;
   if (label.computed || program_->file_by_label.contains({index, label.name})) return;
   const auto defines = [&](FileIndex file) {
-    return defines_subprogram(loaded_[file].tree, label.name);
+    return loaded_[file].subprograms.contains(label.name);
   };
   const auto& includes = program_->files[index]->includes;
   if (defines(index) || std::any_of(includes.begin(), includes.end(), defines)) return;
@@ -312,7 +308,7 @@ void Loader::follow_o_call(FileIndex index, const OCall& call) {
 
 // Whether program `number` is known or was found.
 bool Loader::follow_number(FileIndex index, int number, SearchedTexts texts) {
-  const auto defines = [&](FileIndex file) { return defines_program(loaded_[file].tree, number); };
+  const auto defines = [&](FileIndex file) { return loaded_[file].programs.contains(number); };
   const auto& includes = program_->files[index]->includes;
   if (texts == SearchedTexts::all &&
       (defines(index) || std::any_of(includes.begin(), includes.end(), defines))) {

@@ -37,7 +37,9 @@ class Loader {
   struct LoadedFile {
     std::unique_ptr<Reporter> reporter;
     StatementList tree;
-    Place included_at;  // line 0: the program itself
+    std::set<std::string> subprograms;  // that the tree defines, by label
+    std::set<int> programs;             // likewise, by number
+    Place included_at;                  // line 0: the program itself
   };
 
   // Index of the file that `from` calls `name`; reads and registers it. Nothing with `failure_` set
@@ -52,6 +54,7 @@ class Loader {
   void check_calls_of_line();
   void forget_warnings_of_loaded();
   void parse(FileIndex index);
+  static void list_definitions(LoadedFile& file);
   void follow_includes(FileIndex index);
   void follow_include(FileIndex index, const Statement& statement,
                       const IncludeDirective& directive);

@@ -334,11 +334,9 @@ void Parser::recover(std::size_t start) {
     if (word.starts_with(keyword) && !is_name_part(word.c_str()[keyword.size()]))
       return recover_from_header(start);
   }
-  const std::string_view rest = cursor_.source().text().substr(start);
-  const bool opens = rest.substr(0, rest.find_first_of("\r\n")).find('{') != std::string_view::npos;
   const bool is_declaration =
       type_of_keyword(word.substr(0, word.find_first_of(" \t"))).has_value();
-  if (opens && is_declaration) return recover_from_header(start);
+  if (is_declaration && opens_braces(start)) return recover_from_header(start);
   if (scanner().offset() == start) scanner().advance(1);
   while (!scanner().at_line_end()) {
     if (scanner().character() == '}' && cursor_.inside_braces()) return;
@@ -346,6 +344,13 @@ void Parser::recover(std::size_t start) {
     scanner().advance(1);
     if (done) return;
   }
+}
+
+// Does the declaration at `start` open a body on its line?
+bool Parser::opens_braces(std::size_t start) const {
+  const std::string_view text = cursor_.source().text();
+  const std::size_t at = text.find_first_of("\r\n;{", start);
+  return at != std::string_view::npos && text[at] == '{';
 }
 
 // Behind the line of a `for`, `while`, `if` or `switch`: parts of its header are no statements. The

@@ -57,6 +57,7 @@ class Parser final : private StatementReader {
   int take_block_number();
   void recover(std::size_t start);
   void recover_from_header(std::size_t start);
+  [[nodiscard]] bool opens_braces(std::size_t start) const;
   void close_headless();
   void keep_faulty(StatementList& list, std::size_t start, std::uint32_t line);
   [[nodiscard]] Scanner& scanner() { return cursor_.scanner(); }

@@ -27,6 +27,11 @@ TEST_F(CompileEndTest, TextsOfVeryManyFaultsAreReadInOnePass) {
   EXPECT_EQ(code_with(repeated("(\xcf\xf0\xe8)\n", many) + "M30\n"), "");
 }
 
+TEST_F(CompileEndTest, WhatVeryManyCallsMeanIsLookedUpAndNotSearchedFor) {
+  const std::string calls = repeated("O7 call\nM98 P55\n", 200'000);
+  EXPECT_EQ(code_with(calls + "M30\nO7 sub\nO7 endsub\nO55\nM99\n"), "");
+}
+
 TEST_F(CompileEndTest, AllCasesOfALargeSwitchAreCompared) {
   std::string cases;
   for (int k = 0; k < 100'000; ++k) cases += "case " + std::to_string(k) + ": {}";
