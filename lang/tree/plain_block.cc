@@ -93,8 +93,7 @@ bool skip_block_number(const char*& at, const char* end) {
 }
 
 // A value behind its address that is no plain number; not inlined, for the sake of the lines that
-// have none. A function beside the address has its bracket
-// at once: `Xsin [30]` is no word.
+// have none. A function beside the address has its bracket at once: `Xsin [30]` is no word.
 [[gnu::noinline]] bool read_computed_word(const char*& at, const char* end, char letter,
                                           BlockWords& words, TextValues& values) {
   if (at == end || letter == 'G' || letter == 'M') return false;
@@ -150,6 +149,15 @@ bool ends_at_semicolon(const char*& at, const char* end, Surroundings surroundin
   return skip_to_line_end(at, end);
 }
 
+// What does not begin with a letter, within a line: corner, parentheses or setting.
+bool read_other_word(const char*& at, const char* end, BlockWords& words, TextValues& values,
+                     bool& any) {
+  if (*at == ',') return any && read_corner_word(at, end, words, values);
+  if (*at == '(') return skip_parentheses(at, end);
+  any = true;
+  return *at == '#' && values.read_setting(at) && (at == end || *at != '.');
+}
+
 // The words of a line up to its end; `at` is left there.
 bool read_words(const char*& at, const char* end, Surroundings surroundings, BlockWords& words,
                 TextValues& values) {
@@ -163,17 +171,12 @@ bool read_words(const char*& at, const char* end, Surroundings surroundings, Blo
       any = true;
     } else if (is_line_end(c)) {
       return true;
-    } else if (c == ',') {
-      if (!any || !read_corner_word(at, end, words, values)) return false;
-    } else if (c == '(') {
-      if (!skip_parentheses(at, end)) return false;
     } else if (c == ';') {
       return ends_at_semicolon(at, end, surroundings, any ? &words.rules : nullptr);
-    } else if (c == '#') {
-      if (!values.read_setting(at) || (at != end && *at == '.')) return false;
-      any = true;
-    } else {
-      return c == '/' && at + 1 != end && at[1] == '/' && skip_to_line_end(at, end);
+    } else if (c == '/') {
+      return at + 1 != end && at[1] == '/' && skip_to_line_end(at, end);
+    } else if (!read_other_word(at, end, words, values, any)) {
+      return false;
     }
   }
   return true;

@@ -35,7 +35,7 @@ OwnNames own_names(const WebOptions& options, Scheme scheme) {
   std::array<char, 256> host{};
   const bool is_for_all = !options.listen.address().is_loopback();
   if (is_for_all && ::gethostname(host.data(), host.size() - 1) == 0) names.insert(host.data());
-  OwnNames own(scheme, std::move(names));
+  OwnNames own(scheme, names);
   if (is_for_all) own.allow_addresses();
   return own;
 }
