@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "channels/contract/operator_action.h"
-#include "daemon/desk/inventory.h"
+#include "tests/daemon/desk/accepted_parameters.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/support/temporary_directory.h"
 
@@ -81,33 +81,6 @@ class DispatchTest : public ::testing::Test {
   SessionState session;
   Dispatch dispatch{machine, {"test", "/state", "/socket"}, [this] { shutdown_asked = true; }};
 };
-
-// Something that the method accepts, for each of its parameters.
-json accepted_value(const protocol::Parameter& parameter) {
-  if (parameter.spelling == protocol::Spelling::file) return "[offset.G54]\n";
-  switch (parameter.type) {
-    case protocol::ParameterType::text:
-      return "a.nc";
-    case protocol::ParameterType::choice:
-      return parameter.choices.front();
-    case protocol::ParameterType::text_list:
-      return json::array({parameter.choices.front()});
-    default:
-      return parameter.maximum;
-  }
-}
-
-json accepted_parameters(const protocol::Method& method) {
-  json parameters = json::object();
-  for (const protocol::Parameter& parameter : method.parameters) {
-    if (parameter.presence != protocol::Presence::optional)
-      parameters[std::string(parameter.name)] = accepted_value(parameter);
-  }
-  if (method.name == "program.remove") parameters["version"] = "any";
-  if (method.name == "program.path") parameters.clear();
-  if (method.name == "scope.start") parameters["signals"] = "cycle.time";
-  return parameters;
-}
 
 // Of two sessions one has channel 1; only stops of the other one pass.
 TEST_F(DispatchTest, GivesAChannelToOneSession) {
@@ -596,23 +569,6 @@ TEST(DriveFault, NamesEveryFaultOfTheSimulation) {
   const auto choices = method->parameters[1].choices;
   ASSERT_EQ(choices.size(), plant::fault_kind_count);
   for (const std::string_view choice : choices) EXPECT_TRUE(plant::fault_named(choice)) << choice;
-}
-
-TEST(ProgramList, NamesFilesBeneathTheRootAndFollowsNoLinks) {
-  namespace fs = std::filesystem;
-  const stanok::testing::TemporaryDirectory root;
-  fs::create_directories(root.path() / "sub" / ".hidden");
-  std::ofstream(root.path() / "b.nc") << "M30\n";
-  std::ofstream(root.path() / "sub" / "a.nc") << "G0X1\nM30\n";
-  std::ofstream(root.path() / "sub" / ".hidden" / "c.nc") << "x";
-  fs::create_symlink("/etc/passwd", root.path() / "link.nc");
-  fs::create_directory_symlink("/", root.path() / "all");
-  const json list = program_list(root.path());
-  EXPECT_EQ(list["programs"],
-            json::parse(R"([{"name":"b.nc","bytes":4},{"name":"sub/a.nc","bytes":9}])"));
-  EXPECT_EQ(list["complete"], true);
-  EXPECT_EQ(program_list(root.path(), 1)["complete"], false);
-  EXPECT_TRUE(program_list("/nonexistent")["programs"].empty());
 }
 
 }  // namespace
