@@ -113,6 +113,7 @@ std::optional<ExchangeError> ModbusLink::exchange(int unit, std::span<const Requ
   }
   modbus_set_slave(context_.get(), unit);
   for (const Request& request : requests) {
+    forget_what_was_not_asked();
     errno = 0;
     if (carry_out(request, image)) {
       continue;
@@ -129,7 +130,8 @@ ExchangeError ModbusLink::give_up() {
   const ExchangeError error = answer_is_behind_   ? ExchangeError::timeout
                               : error_number == 0 ? ExchangeError::mangled
                                                   : error_of(error_number);
-  if (error == ExchangeError::timeout && !answer_is_behind_) {
+  // An answer that is behind is late as well; a wrong check sum alone may be noise.
+  if (error == ExchangeError::timeout && error_number != EMBBADCRC) {
     late_until_ = std::chrono::steady_clock::now() + late_at_most;
   }
   if (error != ExchangeError::exception) {
@@ -138,10 +140,19 @@ ExchangeError ModbusLink::give_up() {
   return error;
 }
 
-// The answer to the present request is then on its way.
+// A frame with a right check sum and another unit, function or length answers an earlier request.
+// What has a wrong one may be the end of such an answer, soon after a time-out. The answer to the
+// present request is then on its way.
 bool ModbusLink::is_answer_of_before(int error_number) const {
-  return is_serial_ && error_number == EMBBADSLAVE &&
-         std::chrono::steady_clock::now() < late_until_;
+  if (!is_serial_) return false;
+  if (error_number != 0 && error_number != EMBBADCRC) return error_number > EMBXGTAR;
+  return std::chrono::steady_clock::now() < late_until_;
+}
+
+// A serial line has no transaction numbers: what has arrived before a request goes out would be
+// taken for its answer, and every later answer would be that of the request before.
+void ModbusLink::forget_what_was_not_asked() {
+  if (is_serial_) modbus_flush(context_.get());
 }
 
 std::optional<ExchangeError> ModbusLink::exchange(SignalBlock& block) {
@@ -149,6 +160,7 @@ std::optional<ExchangeError> ModbusLink::exchange(SignalBlock& block) {
     return ExchangeError::not_connected;
   }
   modbus_set_slave(context_.get(), block.unit);
+  forget_what_was_not_asked();
   errno = 0;
   if (carry_out(block) != block.count()) {
     return give_up();

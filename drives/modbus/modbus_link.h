@@ -55,6 +55,7 @@ class ModbusLink {
   [[nodiscard]] ExchangeError give_up();
   [[nodiscard]] bool is_answer_of_before(int error_number) const;
   void discard_late_answer();
+  void forget_what_was_not_asked();
 
   struct Free {
     void operator()(modbus_t* context) const { modbus_free(context); }

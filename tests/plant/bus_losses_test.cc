@@ -5,6 +5,7 @@
 // (docs/integrator/drives.md#losses).
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -81,7 +82,7 @@ std::vector<Losses> all_losses() {
 
 std::string losses_name(const ::testing::TestParamInfo<Losses>& one) {
   const char* loss = one.param.loss == Loss::dropped ? "dropped_" : "closed_";
-  return loss + std::to_string(static_cast<int>(100.0 * one.param.share + 0.5)) + "_percent_poll_" +
+  return loss + std::to_string(std::lround(100.0 * one.param.share)) + "_percent_poll_" +
          std::to_string(one.param.poll_ms) + "_ms";
 }
 

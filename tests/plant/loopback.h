@@ -14,9 +14,9 @@
 
 namespace stanok::plant {
 
-// Repeats until the condition holds; false after ten seconds.
+// Repeats until the condition holds; false after four minutes, since a computer may be loaded.
 inline bool eventually(const std::function<bool()>& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{10};
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{4};
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) {
       return false;
@@ -42,7 +42,7 @@ class CycleSide {
     bus.start();
   }
   template <class Link>
-  CycleSide(drives::BusConfig config, int port, std::type_identity<Link> /*kind*/)
+  CycleSide(const drives::BusConfig& config, int port, std::type_identity<Link> /*kind*/)
       : bus(with_port(config, port), cycle, std::make_unique<Link>(with_port(config, port))) {
     bus.start();
   }
