@@ -102,13 +102,15 @@ void Recorder::open_bus_again() {
 }
 
 void Recorder::show_path(recording::PathPreview path) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(paths_mutex_);
   new_paths_.push_back(std::move(path));
   has_new_paths_.store(true, std::memory_order_release);
 }
 
+// Who shows them runs when nothing else wants to: it is not waited for, there is a next output.
 void Recorder::take_new_paths() {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock(paths_mutex_, std::try_to_lock);
+  if (!lock) return;
   for (recording::PathPreview& path : new_paths_) stream_->path(std::move(path));
   new_paths_.clear();
   has_new_paths_ = false;

@@ -72,8 +72,9 @@ class Recorder final : public CycleListener {
   std::atomic<bool> workpieces_allowed_{false};
 
   std::atomic<bool> has_new_paths_{false};
-  mutable std::mutex mutex_;
+  std::mutex paths_mutex_;
   std::vector<recording::PathPreview> new_paths_;
+  mutable std::mutex mutex_;                   // of the status
   RecordingStatus status_;                     // but for the log
   std::unique_ptr<FlightFiles> flight_files_;  // last: its thread writes into the status
 };
