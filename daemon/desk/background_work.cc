@@ -31,8 +31,7 @@ BackgroundWork::~BackgroundWork() {
     const std::lock_guard lock(mutex_);
     at_work_.request_stop();
   }
-  thread_.request_stop();
-  thread_.join();
+  end_idle_thread(thread_);
 }
 
 void BackgroundWork::submit(int session, Work work, Answer answer) {
@@ -86,8 +85,14 @@ CommandResult BackgroundWork::outcome_of(const Task& task) {
   }
 }
 
+void BackgroundWork::carry_out(Task& task, const std::stop_token& stop) const {
+  std::optional<IdleWork> idle;
+  if (urgency_ == Urgency::idle) idle.emplace(stop);
+  task.outcome = outcome_of(task);
+  task.work = nullptr;
+}
+
 void BackgroundWork::serve(const std::stop_token& stop) {
-  if (urgency_ == Urgency::idle) run_when_idle();
   while (true) {
     Tasks one;
     {
@@ -97,8 +102,7 @@ void BackgroundWork::serve(const std::stop_token& stop) {
       session_at_work_ = one.front().session;
       at_work_ = one.front().stop;
     }
-    one.front().outcome = outcome_of(one.front());
-    one.front().work = nullptr;
+    carry_out(one.front(), stop);
     const std::lock_guard lock(mutex_);
     session_at_work_ = 0;
     done_.splice(done_.end(), one);

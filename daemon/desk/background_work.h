@@ -49,6 +49,7 @@ class BackgroundWork {
   using Tasks = std::list<Task>;  // whose places are passed on without memory
 
   void serve(const std::stop_token& stop);
+  void carry_out(Task& task, const std::stop_token& stop) const;
   [[nodiscard]] static CommandResult outcome_of(const Task& task);
 
   Urgency urgency_;

@@ -146,8 +146,7 @@ Foresight::Foresight(const config::MachineFile& file,
       thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 Foresight::~Foresight() {
-  thread_.request_stop();
-  thread_.join();
+  end_idle_thread(thread_);
 }
 
 void Foresight::look_at(int channel, const std::string& program, const channels::CycleOutput& now,
@@ -173,7 +172,6 @@ void Foresight::begins(int channel, RunsOfChannels before) {
 
 // The root of the thread: what cannot be foreseen is no reason to end a machine at work.
 void Foresight::work(const std::stop_token& stop) {
-  run_when_idle();
   while (!stop.stop_requested()) {
     Order order;
     {
@@ -216,6 +214,7 @@ void Foresight::keep(int channel, std::optional<Foreseen> seen) {
 // Nothing: it was given up, or is refused. Throws where it cannot be simulated.
 std::optional<Foresight::Foreseen> Foresight::foresee(const Order& order,
                                                       const std::stop_token& stop) {
+  const IdleWork idle(stop);
   Foreseen seen;
   SimulationOptions options;
   options.file = file_;

@@ -37,7 +37,9 @@ LiveWorkpieces::LiveWorkpieces(const channels::MachineConfig& machine, Complaint
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
-LiveWorkpieces::~LiveWorkpieces() = default;
+LiveWorkpieces::~LiveWorkpieces() {
+  end_idle_thread(thread_);
+}
 
 // Blocks are not told apart: a machine that runs for ever has ever more of them.
 void LiveWorkpieces::observe(const channels::CycleOutput& output) {
@@ -61,7 +63,7 @@ void LiveWorkpieces::observe(const channels::CycleOutput& output) {
 
 void LiveWorkpieces::work(const std::stop_token& stop) {
   constexpr auto pause = std::chrono::milliseconds(20);
-  run_when_idle();
+  run_when_idle(stop);
   try {
     while (!stop.stop_requested()) {
       if (!cut_some()) std::this_thread::sleep_for(pause);
