@@ -1,8 +1,8 @@
 // LoginDelays: how long who failed to log in waits for the answer: longer with each failure.
 //
 // Counted by network address, which is nobody's identity, only the place that guesses come from; of
-// IPv6 the network part, since each guest has many addresses there. A login at a time of each. One
-// thread.
+// IPv6 the network part, since each computer has many addresses there. A login at a time of each.
+// One thread.
 #pragma once
 
 #include <chrono>

@@ -4,7 +4,7 @@
 
 namespace stanok::web {
 
-Sessions::Begun Sessions::begin(Visitor visitor, Time now) {
+Sessions::Begun Sessions::begin(Identity identity, Time now) {
   Begun begun{.secret = new_secret(), .ended = {}};
   if (entries_.size() >= sessions_max) {
     const auto away = std::min_element(
@@ -13,7 +13,7 @@ Sessions::Begun Sessions::begin(Visitor visitor, Time now) {
     begun.ended = away->second.session.id;
     entries_.erase(away);
   }
-  entries_[hash_of(begun.secret)] = {{++last_id_, std::move(visitor)}, now, now};
+  entries_[hash_of(begun.secret)] = {{++last_id_, std::move(identity)}, now, now};
   return begun;
 }
 

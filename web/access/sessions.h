@@ -19,16 +19,16 @@
 
 namespace stanok::web {
 
-struct Visitor {
+struct Identity {
   std::string name;
   protocol::Role role = protocol::Role::observer;
-  // Of the password with which the visitor came; empty: came by a one-time link.
+  // Of the password that let the user in; empty: a one-time link did.
   std::string password_hash;
 };
 
 struct WebSession {
   std::uint64_t id = 0;  // never given twice
-  Visitor visitor;
+  Identity identity;
 };
 
 class Sessions {
@@ -42,7 +42,7 @@ class Sessions {
     std::string secret;                  // for the cookie
     std::optional<std::uint64_t> ended;  // the session that had to make room
   };
-  [[nodiscard]] Begun begin(Visitor visitor, Time now);
+  [[nodiscard]] Begun begin(Identity identity, Time now);
   // Notes that it is used.
   [[nodiscard]] std::optional<WebSession> find(std::string_view secret, Time now);
   // Pages of these sessions are open.

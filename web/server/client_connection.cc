@@ -14,8 +14,8 @@ namespace asio = boost::asio;
 namespace http = boost::beast::http;
 
 ClientConnection::ClientConnection(asio::ip::tcp::socket socket, asio::ssl::context* tls,
-                                   const House& house)
-    : house_(house),
+                                   const Services& services)
+    : services_(services),
       stream_(std::make_shared<ClientStream>(std::move(socket), tls)),
       asked_(std::chrono::steady_clock::now()) {
   boost::system::error_code gone;
@@ -27,7 +27,7 @@ asio::awaitable<void> ClientConnection::serve(std::shared_ptr<ClientConnection> 
   while (auto request = co_await self->read()) {
     self->asked_ = std::chrono::steady_clock::now();
     if (boost::beast::websocket::is_upgrade(*request)) {
-      co_await self->open_window(std::move(*request));
+      co_await self->open_relay(std::move(*request));
       break;
     }
     if (!co_await self->answer(*request)) break;
@@ -98,7 +98,7 @@ asio::awaitable<void> ClientConnection::outlast() {
 }
 
 asio::awaitable<bool> ClientConnection::write(const Answer& answer, const Request& request) {
-  Response response = response_of(answer, request, house_.scheme);
+  Response response = response_of(answer, request, services_.scheme);
   http::serializer<false, Response::body_type> serializer(response);
   stream_->next_layer().expires_after(answer_time_max);
   if (request.method() == http::verb::head) {
@@ -112,43 +112,43 @@ asio::awaitable<bool> ClientConnection::write(const Answer& answer, const Reques
 }
 
 asio::awaitable<bool> ClientConnection::answer(const Request& request) {
-  if (const auto obstacle = house_.reception.obstacle(request))
+  if (const auto obstacle = services_.reception.obstacle(request))
     co_return co_await write(*obstacle, request);
-  const Answer answer = co_await house_.reception.answer(request, from_);
+  const Answer answer = co_await services_.reception.answer(request, from_);
   co_return co_await write(answer, request);
 }
 
-Expected<WebSession, Answer> ClientConnection::visitor_of(const Request& request) const {
+Expected<WebSession, Answer> ClientConnection::session_of(const Request& request) const {
   const auto refused = [](Status status, const std::string& text) {
     return Unexpected<Answer>(refusal(status, text));
   };
-  if (const auto obstacle = house_.reception.obstacle(request))
+  if (const auto obstacle = services_.reception.obstacle(request))
     return Unexpected<Answer>(*obstacle);
   if (path_of(request) != "/ws") return refused(Status::not_found, "the WebSocket is /ws");
   // Browsers always tell; nobody else may come with what a browser keeps.
   if (request.count(Field::origin) != 1)
     return refused(Status::forbidden, "a WebSocket needs the field Origin");
-  const auto session = house_.doorkeeper.session_of(request);
+  const auto session = services_.authentication.session_of(request);
   if (!session) return refused(Status::unauthorized, "there is no session");
-  if (!house_.has_room_for_window_of(session->visitor.role))
+  if (!services_.has_room_for_relay_of(session->identity.role))
     return refused(Status::service_unavailable, "too many pages are open");
   return *session;
 }
 
-asio::awaitable<void> ClientConnection::open_window(Request request) {
-  auto visitor = visitor_of(request);
-  if (!visitor) {
+asio::awaitable<void> ClientConnection::open_relay(Request request) {
+  auto session = session_of(request);
+  if (!session) {
     request.keep_alive(false);
-    static_cast<void>(co_await write(visitor.error(), request));
+    static_cast<void>(co_await write(session.error(), request));
     co_return;
   }
-  window_ = std::make_shared<MachineWindow>(stream_, std::move(*visitor));
-  co_await window_->serve(std::move(request), house_.machine.socket());
+  relay_ = std::make_shared<WebSocketRelay>(stream_, std::move(*session));
+  co_await relay_->serve(std::move(request), services_.machine.socket());
 }
 
 void ClientConnection::close() {
-  if (window_ != nullptr) {
-    window_->close();
+  if (relay_ != nullptr) {
+    relay_->close();
   } else {
     stream_->close();
   }

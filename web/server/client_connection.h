@@ -1,4 +1,4 @@
-// ClientConnection: one connection of a browser: requests and answers, until it becomes a window to
+// ClientConnection: one connection of a browser: requests and answers, until it becomes a relay to
 // the machine or ends.
 //
 // Bounded in every direction: time and size of a head, of a content, time to take an answer. One
@@ -15,19 +15,19 @@
 #include "base/expected.h"
 #include "web/server/answer.h"
 #include "web/server/client_stream.h"
-#include "web/server/machine_window.h"
 #include "web/server/reception.h"
+#include "web/server/websocket_relay.h"
 
 namespace stanok::web {
 
 // What all connections use; outlives them.
-struct House {
+struct Services {
   Scheme scheme = Scheme::http;
   Reception& reception;
-  Doorkeeper& doorkeeper;
-  MachineGlance& machine;
-  // Whether there is room for one more window to the machine.
-  std::function<bool(protocol::Role)> has_room_for_window_of;
+  Authentication& authentication;
+  DaemonProbe& machine;
+  // Whether there is room for one more connection to the machine.
+  std::function<bool(protocol::Role)> has_room_for_relay_of;
 };
 
 class ClientConnection : public std::enable_shared_from_this<ClientConnection> {
@@ -43,13 +43,13 @@ class ClientConnection : public std::enable_shared_from_this<ClientConnection> {
   static constexpr std::size_t outlast_bytes_max = 1U << 20;
 
   ClientConnection(boost::asio::ip::tcp::socket socket, boost::asio::ssl::context* tls,
-                   const House& house);
+                   const Services& services);
 
   // Until the connection ends.
   [[nodiscard]] static boost::asio::awaitable<void> serve(std::shared_ptr<ClientConnection> self);
 
   // nullptr: it is none.
-  [[nodiscard]] MachineWindow* window() const { return window_.get(); }
+  [[nodiscard]] WebSocketRelay* relay() const { return relay_.get(); }
   // When it last asked something, or began.
   [[nodiscard]] Time asked() const { return asked_; }
   // At once; what is under way fails.
@@ -63,14 +63,14 @@ class ClientConnection : public std::enable_shared_from_this<ClientConnection> {
   [[nodiscard]] boost::asio::awaitable<void> outlast();
   [[nodiscard]] boost::asio::awaitable<bool> write(const Answer& answer, const Request& request);
   [[nodiscard]] boost::asio::awaitable<bool> answer(const Request& request);
-  // Who asks for a window to the machine, or why there is none.
-  [[nodiscard]] Expected<WebSession, Answer> visitor_of(const Request& request) const;
-  [[nodiscard]] boost::asio::awaitable<void> open_window(Request request);
+  // Whose session asks for a connection to the machine, or why there is none.
+  [[nodiscard]] Expected<WebSession, Answer> session_of(const Request& request) const;
+  [[nodiscard]] boost::asio::awaitable<void> open_relay(Request request);
 
-  const House& house_;
+  const Services& services_;
   std::shared_ptr<ClientStream> stream_;
   boost::beast::flat_buffer received_{head_bytes_max + content_bytes_max};
-  std::shared_ptr<MachineWindow> window_;
+  std::shared_ptr<WebSocketRelay> relay_;
   Time asked_;
   boost::asio::ip::address from_;
 };

@@ -16,7 +16,7 @@ void ConnectionList::end_idlest() {
   auto asked = Time::max();
   for (auto at = connections_.begin(); at != connections_.end(); ++at) {
     const auto connection = at->second.lock();
-    if (connection == nullptr || connection->window() != nullptr || connection->asked() >= asked)
+    if (connection == nullptr || connection->relay() != nullptr || connection->asked() >= asked)
       continue;
     idlest = at;
     asked = connection->asked();
@@ -39,40 +39,40 @@ std::vector<std::shared_ptr<ClientConnection>> ConnectionList::all() const {
   return alive;
 }
 
-std::vector<std::shared_ptr<ClientConnection>> ConnectionList::windows() const {
-  auto windows = all();
-  std::erase_if(windows, [](const auto& one) { return one->window() == nullptr; });
-  return windows;
+std::vector<std::shared_ptr<ClientConnection>> ConnectionList::relays() const {
+  auto relays = all();
+  std::erase_if(relays, [](const auto& one) { return one->relay() == nullptr; });
+  return relays;
 }
 
-bool ConnectionList::has_room_for_window_of(protocol::Role role) const {
-  const auto open = windows();
+bool ConnectionList::has_room_for_relay_of(protocol::Role role) const {
+  const auto open = relays();
   const auto is_of_observer = [](const auto& one) {
-    return one->window()->session().visitor.role == protocol::Role::observer;
+    return one->relay()->session().identity.role == protocol::Role::observer;
   };
   const auto of_observers = static_cast<std::size_t>(std::ranges::count_if(open, is_of_observer));
-  return open.size() < windows_max &&
-         (role != protocol::Role::observer || of_observers < windows_of_observers_max);
+  return open.size() < relays_max &&
+         (role != protocol::Role::observer || of_observers < relays_of_observers_max);
 }
 
 std::vector<std::uint64_t> ConnectionList::sessions() const {
   std::vector<std::uint64_t> ids;
-  for (const auto& connection : windows()) ids.push_back(connection->window()->session().id);
+  for (const auto& connection : relays()) ids.push_back(connection->relay()->session().id);
   return ids;
 }
 
-void ConnectionList::end_windows_of(const std::vector<std::uint64_t>& sessions) {
-  for (const auto& connection : windows()) {
-    const std::uint64_t session = connection->window()->session().id;
+void ConnectionList::end_relays_of(const std::vector<std::uint64_t>& sessions) {
+  for (const auto& connection : relays()) {
+    const std::uint64_t session = connection->relay()->session().id;
     if (std::find(sessions.begin(), sessions.end(), session) != sessions.end()) connection->close();
   }
 }
 
 void ConnectionList::end_stuck(Time now) {
-  for (const auto& connection : windows()) {
-    if (!connection->window()->is_stuck(now)) continue;
+  for (const auto& connection : relays()) {
+    if (!connection->relay()->is_stuck(now)) continue;
     spdlog::warn("a page of {} does not read what it is sent; its connection ends",
-                 connection->window()->session().visitor.name);
+                 connection->relay()->session().identity.name);
     connection->close();
   }
 }

@@ -23,7 +23,7 @@ fs::file_time_type time_of_change(const fs::path& file) {
 }
 
 // Of IPv6 the network part.
-std::string place_of_guest(const asio::ip::address& from) {
+std::string network_place(const asio::ip::address& from) {
   if (!from.is_v6()) return from.to_string();
   auto bytes = from.to_v6().to_bytes();
   std::fill(bytes.begin() + 8, bytes.end(), static_cast<unsigned char>(0));
@@ -46,9 +46,9 @@ LoginDesk::LoginDesk(fs::path file) : file_(std::move(file)) {
 
 asio::awaitable<LoginDesk::Outcome> LoginDesk::log_in(std::string name, std::string password,
                                                       asio::ip::address from) {
-  const std::string place = place_of_guest(from);
+  const std::string place = network_place(from);
   if (!has_users() || password.size() > password_bytes_max) co_return Outcome{};
-  if (!delays_.begin(place)) co_return Outcome{.visitor = {}, .refusal = Refusal::busy};
+  if (!delays_.begin(place)) co_return Outcome{.identity = {}, .refusal = Refusal::busy};
   Outcome outcome;
   try {
     outcome = co_await judge(name, password, place);
@@ -71,7 +71,7 @@ asio::awaitable<LoginDesk::Outcome> LoginDesk::judge(const std::string& name,
   const User* user = users_.find(name);
   if (is_right && user != nullptr && user->password_hash == hash) {
     delays_.note_success(place);
-    co_return Outcome{.visitor = Visitor{name, user->role, hash}};
+    co_return Outcome{.identity = Identity{name, user->role, hash}};
   }
   const auto delay = delays_.note_failure(place, std::chrono::steady_clock::now());
   spdlog::warn("a login as {} from {} failed", defect_of_name(name).empty() ? name : "?", place);
@@ -93,11 +93,11 @@ bool LoginDesk::look_at_file() {
   return true;
 }
 
-bool LoginDesk::knows(const Visitor& visitor) const {
-  if (visitor.password_hash.empty()) return true;  // came by a link
-  const User* user = users_.find(visitor.name);
-  return user != nullptr && user->role == visitor.role &&
-         user->password_hash == visitor.password_hash;
+bool LoginDesk::knows(const Identity& identity) const {
+  if (identity.password_hash.empty()) return true;  // came by a link
+  const User* user = users_.find(identity.name);
+  return user != nullptr && user->role == identity.role &&
+         user->password_hash == identity.password_hash;
 }
 
 }  // namespace stanok::web

@@ -25,7 +25,7 @@ class LoginDesk {
 
   enum class Refusal { wrong, busy };
   struct Outcome {
-    std::optional<Visitor> visitor;
+    std::optional<Identity> identity;
     Refusal refusal = Refusal::wrong;
   };
   // A wrong password is answered late.
@@ -34,8 +34,8 @@ class LoginDesk {
 
   // Reads the file again when it has changed. True: it has, and sessions are to be looked at.
   [[nodiscard]] bool look_at_file();
-  // Whether the visitor would still be let in.
-  [[nodiscard]] bool knows(const Visitor& visitor) const;
+  // Whether who came so would still be let in.
+  [[nodiscard]] bool knows(const Identity& identity) const;
 
  private:
   [[nodiscard]] boost::asio::awaitable<Outcome> judge(const std::string& name,

@@ -41,10 +41,10 @@ std::string_view path_of(const Request& request) {
   return target.substr(0, target.find('?'));
 }
 
-Reception::Reception(PageFiles& page, Doorkeeper& doorkeeper, MachineGlance& machine,
+Reception::Reception(PageFiles& page, Authentication& authentication, DaemonProbe& machine,
                      const OwnNames& names)
     : page_(page),
-      doorkeeper_(doorkeeper),
+      authentication_(authentication),
       machine_(machine),
       names_(names),
       methods_(json_answer(Status::ok, protocol::discovery_document(protocol::version))) {}
@@ -71,7 +71,7 @@ asio::awaitable<Answer> Reception::answer(const Request& request, asio::ip::addr
 
 asio::awaitable<Answer> Reception::answer_session(const Request& request, asio::ip::address from) {
   if (request.method() == verb::post) co_return co_await begin_session(request, from);
-  if (request.method() == verb::delete_) co_return doorkeeper_.leave(request);
+  if (request.method() == verb::delete_) co_return authentication_.leave(request);
   if (reads_only(request)) co_return co_await describe_session(request);
   co_return not_allowed("GET, HEAD, POST, DELETE");
 }
@@ -86,20 +86,20 @@ asio::awaitable<Answer> Reception::begin_session(const Request& request, asio::i
     return member != wanted.end() && member->is_string() ? member->get<std::string>() : "";
   };
   const std::string token = text_of("token");
-  if (!token.empty()) co_return doorkeeper_.enter_by_link(token);
+  if (!token.empty()) co_return authentication_.enter_by_link(token);
   const std::string name = text_of("name");
   if (name.empty())
     co_return refusal(Status::bad_request,
                       R"(the content must be {"token": ""} or {"name": "", "password": ""})");
-  co_return co_await doorkeeper_.enter_by_password(name, text_of("password"), from);
+  co_return co_await authentication_.enter_by_password(name, text_of("password"), from);
 }
 
 asio::awaitable<Answer> Reception::describe_session(const Request& request) {
-  const auto session = doorkeeper_.session_of(request);
+  const auto session = authentication_.session_of(request);
   if (!session) co_return refusal(Status::unauthorized, "there is no session");
   static_cast<void>(co_await machine_.daemon_answers());
-  co_return json_answer(Status::ok, {{"name", session->visitor.name},
-                                     {"role", protocol::role_name(session->visitor.role)},
+  co_return json_answer(Status::ok, {{"name", session->identity.name},
+                                     {"role", protocol::role_name(session->identity.role)},
                                      {"machine", machine_.machine()}});
 }
 

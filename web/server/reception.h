@@ -11,8 +11,8 @@
 
 #include "web/access/request_origin.h"
 #include "web/server/answer.h"
-#include "web/server/doorkeeper.h"
-#include "web/server/machine_glance.h"
+#include "web/server/authentication.h"
+#include "web/server/daemon_probe.h"
 #include "web/server/page_files.h"
 
 namespace stanok::web {
@@ -20,7 +20,8 @@ namespace stanok::web {
 class Reception {
  public:
   // All outlive the reception.
-  Reception(PageFiles& page, Doorkeeper& doorkeeper, MachineGlance& machine, const OwnNames& names);
+  Reception(PageFiles& page, Authentication& authentication, DaemonProbe& machine,
+            const OwnNames& names);
 
   // Why the request is not for this server, or comes from the page of another one.
   [[nodiscard]] std::optional<Answer> obstacle(const Request& request) const;
@@ -38,8 +39,8 @@ class Reception {
   [[nodiscard]] Answer file(const Request& request);
 
   PageFiles& page_;
-  Doorkeeper& doorkeeper_;
-  MachineGlance& machine_;
+  Authentication& authentication_;
+  DaemonProbe& machine_;
   const OwnNames& names_;
   Answer methods_;
 };

@@ -76,10 +76,10 @@ struct WebServer::Parts {
   std::string address;
   OwnNames names;
   PageFiles page;
-  Doorkeeper doorkeeper;
-  MachineGlance machine;
+  Authentication authentication;
+  DaemonProbe machine;
   Reception reception;
-  House house;
+  Services services;
   std::optional<LinkDesk> link_desk;
   ConnectionList connections;
 };
@@ -91,24 +91,24 @@ WebServer::Parts::Parts(const WebOptions& options)
       address((tls ? "https://" : "http://") + text_of(acceptor.local_endpoint())),
       names(own_names(options, scheme)),
       page(options.page),
-      doorkeeper(scheme, options.users,
-                 [this](const auto& sessions) { connections.end_windows_of(sessions); }),
+      authentication(scheme, options.users,
+                     [this](const auto& sessions) { connections.end_relays_of(sessions); }),
       machine(options.socket),
-      reception(page, doorkeeper, machine, names),
-      house{.scheme = scheme,
-            .reception = reception,
-            .doorkeeper = doorkeeper,
-            .machine = machine,
-            .has_room_for_window_of = [this](protocol::Role role) {
-              return connections.has_room_for_window_of(role);
-            }} {
-  if (!options.listen.address().is_loopback() && !doorkeeper.has_users())
+      reception(page, authentication, machine, names),
+      services{.scheme = scheme,
+               .reception = reception,
+               .authentication = authentication,
+               .machine = machine,
+               .has_room_for_relay_of = [this](protocol::Role role) {
+                 return connections.has_room_for_relay_of(role);
+               }} {
+  if (!options.listen.address().is_loopback() && !authentication.has_users())
     throw UsageError(options.users.string() +
                      ": there is no user yet; stanok-web user add NAME --role ROLE --users FILE");
-  doorkeeper.set_port(acceptor.local_endpoint().port());
+  authentication.set_port(acceptor.local_endpoint().port());
   if (options.link_socket.empty()) return;
   link_desk.emplace(io.get_executor(), options.link_socket,
-                    [this] { return address + "/#" + doorkeeper.issue_link(); });
+                    [this] { return address + "/#" + authentication.issue_link(); });
 }
 
 asio::awaitable<void> WebServer::Parts::accept() {
@@ -132,7 +132,7 @@ void WebServer::Parts::admit(tcp::socket socket) {
   ignored = socket.set_option(tcp::no_delay(true), ignored);
   if (!connections.make_room_for_one()) return;
   const auto connection =
-      std::make_shared<ClientConnection>(std::move(socket), tls ? &*tls : nullptr, house);
+      std::make_shared<ClientConnection>(std::move(socket), tls ? &*tls : nullptr, services);
   const std::uint64_t id = connections.add(connection);
   asio::co_spawn(io, ClientConnection::serve(connection),
                  [this, id](const std::exception_ptr& fault) {
@@ -146,7 +146,7 @@ asio::awaitable<void> WebServer::Parts::keep_order() {
     timer.expires_after(round_time);
     const auto [error] = co_await timer.async_wait(asio::as_tuple(asio::use_awaitable));
     if (error) co_return;
-    doorkeeper.tick(connections.sessions());
+    authentication.tick(connections.sessions());
     connections.end_stuck(std::chrono::steady_clock::now());
   }
 }
@@ -168,7 +168,7 @@ WebServer::WebServer(const WebOptions& options) {
 WebServer::~WebServer() = default;
 
 std::string WebServer::new_link() {
-  return parts_->address + "/#" + parts_->doorkeeper.issue_link();
+  return parts_->address + "/#" + parts_->authentication.issue_link();
 }
 
 const std::string& WebServer::address() const {

@@ -12,7 +12,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr Clock::time_point start{std::chrono::hours(1000)};
 
-Visitor visitor(std::string name) {
+Identity identity(std::string name) {
   return {.name = std::move(name), .role = protocol::Role::observer, .password_hash = {}};
 }
 
@@ -47,8 +47,8 @@ TEST(OneTimeLinks, TheOldestIsForgottenFirst) {
 
 TEST(Sessions, EndWhenNobodyUsesThemAndAtACertainAge) {
   Sessions sessions;
-  const std::string secret = sessions.begin(visitor("anna"), start).secret;
-  EXPECT_EQ(sessions.find(secret, start)->visitor.name, "anna");
+  const std::string secret = sessions.begin(identity("anna"), start).secret;
+  EXPECT_EQ(sessions.find(secret, start)->identity.name, "anna");
   EXPECT_FALSE(sessions.find(secret + 'x', start));
   auto now = start;
   while (now + Sessions::idle_max < start + Sessions::age_max) {
@@ -57,13 +57,13 @@ TEST(Sessions, EndWhenNobodyUsesThemAndAtACertainAge) {
   }
   EXPECT_FALSE(sessions.find(secret, start + Sessions::age_max + std::chrono::seconds(1)));
 
-  const std::string other = sessions.begin(visitor("boris"), start).secret;
+  const std::string other = sessions.begin(identity("boris"), start).secret;
   EXPECT_FALSE(sessions.find(other, start + Sessions::idle_max + std::chrono::seconds(1)));
 }
 
 TEST(Sessions, AnOpenPageIsUse) {
   Sessions sessions;
-  const std::string secret = sessions.begin(visitor("anna"), start).secret;
+  const std::string secret = sessions.begin(identity("anna"), start).secret;
   const std::uint64_t id = sessions.find(secret, start)->id;
   auto now = start;
   for (int k = 0; k < 3; ++k) {
@@ -76,10 +76,10 @@ TEST(Sessions, AnOpenPageIsUse) {
 
 TEST(Sessions, AreEndedByWhatTheyAreOf) {
   Sessions sessions;
-  const std::string anna = sessions.begin(visitor("anna"), start).secret;
-  const std::string boris = sessions.begin(visitor("boris"), start).secret;
+  const std::string anna = sessions.begin(identity("anna"), start).secret;
+  const std::string boris = sessions.begin(identity("boris"), start).secret;
   const auto ended = sessions.end_where(
-      [](const WebSession& session) { return session.visitor.name == "anna"; }, start);
+      [](const WebSession& session) { return session.identity.name == "anna"; }, start);
   EXPECT_EQ(ended.size(), 1U);
   EXPECT_FALSE(sessions.find(anna, start));
   EXPECT_TRUE(sessions.find(boris, start));
@@ -87,15 +87,15 @@ TEST(Sessions, AreEndedByWhatTheyAreOf) {
 
 TEST(Sessions, WhoHasBeenAwayLongestMakesRoom) {
   Sessions sessions;
-  const std::string away = sessions.begin(visitor("anna"), start).secret;
+  const std::string away = sessions.begin(identity("anna"), start).secret;
   const std::uint64_t away_id = sessions.find(away, start)->id;
-  const std::string here = sessions.begin(visitor("boris"), start).secret;
+  const std::string here = sessions.begin(identity("boris"), start).secret;
   std::optional<std::uint64_t> ended;
   auto now = start;
   for (std::size_t k = 2; k <= Sessions::sessions_max; ++k) {
     now += std::chrono::milliseconds(1);
     ASSERT_TRUE(sessions.find(here, now));
-    ended = sessions.begin(visitor("carl"), now).ended;
+    ended = sessions.begin(identity("carl"), now).ended;
     EXPECT_EQ(ended.has_value(), k == Sessions::sessions_max);
   }
   EXPECT_EQ(ended, away_id) << "its pages are to be closed";

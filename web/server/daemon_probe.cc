@@ -1,4 +1,4 @@
-#include "web/server/machine_glance.h"
+#include "web/server/daemon_probe.h"
 
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -15,10 +15,10 @@ namespace stanok::web {
 namespace asio = boost::asio;
 using nlohmann::json;
 
-MachineGlance::MachineGlance(std::filesystem::path socket)
+DaemonProbe::DaemonProbe(std::filesystem::path socket)
     : socket_(std::move(socket)), machine_(socket_.stem().string()) {}
 
-asio::awaitable<bool> MachineGlance::daemon_answers() {
+asio::awaitable<bool> DaemonProbe::daemon_answers() {
   const auto now = std::chrono::steady_clock::now();
   if (asked_ != decltype(asked_){} && now - asked_ < good_for) co_return answered_;
   asked_ = now;

@@ -1,4 +1,4 @@
-#include "web/server/machine_window.h"
+#include "web/server/websocket_relay.h"
 
 #include <spdlog/spdlog.h>
 
@@ -44,14 +44,14 @@ bool is_method(const json& message, const char* method) {
 
 }  // namespace
 
-MachineWindow::MachineWindow(std::shared_ptr<ClientStream> stream, WebSession session)
+WebSocketRelay::WebSocketRelay(std::shared_ptr<ClientStream> stream, WebSession session)
     : stream_(std::move(stream)),
       websocket_(*stream_),
       machine_(stream_->get_executor()),
       read_end_(stream_->get_executor()),
       session_(std::move(session)) {}
 
-void MachineWindow::set_bounds() {
+void WebSocketRelay::set_bounds() {
   stream_->next_layer().expires_never();
   websocket::stream_base::timeout times{};
   times.handshake_timeout = open_time_max;
@@ -62,7 +62,7 @@ void MachineWindow::set_bounds() {
   websocket_.auto_fragment(false);
 }
 
-asio::awaitable<void> MachineWindow::serve(Request request, std::filesystem::path socket) {
+asio::awaitable<void> WebSocketRelay::serve(Request request, std::filesystem::path socket) {
   const bool is_accepted = co_await accept(std::move(request));
   if (!is_accepted) co_return close();
   const bool has_entered = co_await enter(std::move(socket));
@@ -73,7 +73,7 @@ asio::awaitable<void> MachineWindow::serve(Request request, std::filesystem::pat
   close();
 }
 
-asio::awaitable<bool> MachineWindow::accept(Request request) {
+asio::awaitable<bool> WebSocketRelay::accept(Request request) {
   set_bounds();
   const auto [error] =
       co_await websocket_.async_accept(request, asio::as_tuple(asio::use_awaitable));
@@ -82,7 +82,7 @@ asio::awaitable<bool> MachineWindow::accept(Request request) {
 }
 
 // Connects to the daemon, lowers the role, and shows its greeting.
-asio::awaitable<bool> MachineWindow::enter(std::filesystem::path socket) {
+asio::awaitable<bool> WebSocketRelay::enter(std::filesystem::path socket) {
   write_begun_ = std::chrono::steady_clock::now();  // until the greeting is written
   const bool is_connected = co_await machine_.connect(socket);
   std::optional<std::string> greeting;
@@ -99,21 +99,21 @@ asio::awaitable<bool> MachineWindow::enter(std::filesystem::path socket) {
   }
   const bool is_lowered = co_await lower_role();
   if (!is_lowered) {
-    co_await turn_away("", "the daemon did not take the role of the visitor");
+    co_await turn_away("", "the daemon did not take the role of the user");
     co_return false;
   }
   const auto granted = protocol::role_named(hello["params"].value("role", ""));
-  const auto role = std::min(granted.value_or(protocol::Role::observer), session_.visitor.role);
+  const auto role = std::min(granted.value_or(protocol::Role::observer), session_.identity.role);
   hello["params"]["role"] = protocol::role_name(role);
-  hello["params"]["user"] = session_.visitor.name;
+  hello["params"]["user"] = session_.identity.name;
   co_return co_await show(protocol::json_text(hello));
 }
 
 // Nothing of the browser is passed on before the daemon has answered this.
-asio::awaitable<bool> MachineWindow::lower_role() {
-  const json visitor = {{"role", protocol::role_name(session_.visitor.role)},
-                        {"name", session_.visitor.name}};
-  const std::string request = protocol::request_line(id_of_role_request, "session.role", visitor);
+asio::awaitable<bool> WebSocketRelay::lower_role() {
+  const json identity = {{"role", protocol::role_name(session_.identity.role)},
+                         {"name", session_.identity.name}};
+  const std::string request = protocol::request_line(id_of_role_request, "session.role", identity);
   if (!co_await machine_.send(without_line_end(request))) co_return false;
   while (const auto line = co_await machine_.next_line()) {
     const json answer = protocol::json_from_text(*line);
@@ -123,7 +123,7 @@ asio::awaitable<bool> MachineWindow::lower_role() {
   co_return false;
 }
 
-asio::awaitable<bool> MachineWindow::show(std::string message, FrameKind kind) {
+asio::awaitable<bool> WebSocketRelay::show(std::string message, FrameKind kind) {
   websocket_.text(kind == FrameKind::text);
   write_begun_ = std::chrono::steady_clock::now();
   const auto [error, bytes] =
@@ -132,7 +132,7 @@ asio::awaitable<bool> MachineWindow::show(std::string message, FrameKind kind) {
   co_return !error;
 }
 
-asio::awaitable<void> MachineWindow::turn_away(std::string code, std::string reason) {
+asio::awaitable<void> WebSocketRelay::turn_away(std::string code, std::string reason) {
   const json why = {{"code", code.empty() ? json() : json(code)}, {"reason", reason}};
   const std::string line = protocol::notification_line("dropped", why);
   if (!co_await show(without_line_end(line))) co_return;
@@ -143,7 +143,7 @@ asio::awaitable<void> MachineWindow::turn_away(std::string code, std::string rea
 }
 
 // The next page of a geometry is asked for when this one is written.
-asio::awaitable<bool> MachineWindow::pass(std::string line) {
+asio::awaitable<bool> WebSocketRelay::pass(std::string line) {
   auto geometry = geometry_of(line);
   if (!geometry) co_return co_await show(std::move(line));
   const bool is_told = co_await show(std::move(geometry->message));
@@ -153,7 +153,7 @@ asio::awaitable<bool> MachineWindow::pass(std::string line) {
   co_return co_await machine_.send(std::move(geometry->more));
 }
 
-asio::awaitable<void> MachineWindow::pass_to_browser() {
+asio::awaitable<void> WebSocketRelay::pass_to_browser() {
   while (auto line = co_await machine_.next_line()) {
     const bool is_passed = co_await pass(std::move(*line));
     if (!is_passed) co_return;
@@ -164,7 +164,7 @@ asio::awaitable<void> MachineWindow::pass_to_browser() {
 // Beast's own end of a WebSocket cannot be used while a message is read: when that fails meanwhile,
 // each waits for the other for ever. What was written last gets lost when the connection ends with
 // something unread.
-asio::awaitable<void> MachineWindow::outlast_browser() {
+asio::awaitable<void> WebSocketRelay::outlast_browser() {
   boost::system::error_code ignored;
   auto& socket = stream_->next_layer().socket();
   ignored = socket.shutdown(asio::socket_base::shutdown_send, ignored);
@@ -173,7 +173,7 @@ asio::awaitable<void> MachineWindow::outlast_browser() {
   static_cast<void>(co_await read_end_.async_wait(asio::as_tuple(asio::use_awaitable)));
 }
 
-asio::awaitable<void> MachineWindow::pass_to_machine(std::shared_ptr<MachineWindow> self) {
+asio::awaitable<void> WebSocketRelay::pass_to_machine(std::shared_ptr<WebSocketRelay> self) {
   while (true) {
     const auto [error, bytes] =
         co_await self->websocket_.async_read(self->received_, asio::as_tuple(asio::use_awaitable));
@@ -188,7 +188,7 @@ asio::awaitable<void> MachineWindow::pass_to_machine(std::shared_ptr<MachineWind
   self->read_end_.cancel();
 }
 
-void MachineWindow::close() {
+void WebSocketRelay::close() {
   machine_.close();
   stream_->close();
 }

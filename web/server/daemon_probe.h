@@ -1,4 +1,4 @@
-// MachineGlance: whether a daemon answers, and what its machine is called.
+// DaemonProbe: whether a daemon answers, and what its machine is called.
 //
 // Asks by a connection that says nothing, at most once a second: a connection takes a place of the
 // daemon. One thread.
@@ -12,9 +12,9 @@
 
 namespace stanok::web {
 
-class MachineGlance {
+class DaemonProbe {
  public:
-  explicit MachineGlance(std::filesystem::path socket);
+  explicit DaemonProbe(std::filesystem::path socket);
 
   [[nodiscard]] boost::asio::awaitable<bool> daemon_answers();
   // As the daemon said last; before that, as its socket is called.

@@ -1,4 +1,4 @@
-// Doorkeeper: lets visitors in by a one-time link or a password, and knows them by their cookie.
+// Authentication: lets users in by a one-time link or a password, and knows them by their cookie.
 //
 // One thread.
 #pragma once
@@ -15,13 +15,13 @@
 
 namespace stanok::web {
 
-class Doorkeeper {
+class Authentication {
  public:
   using OnEnd = std::function<void(const std::vector<std::uint64_t>& sessions)>;
 
   // `on_end` is told the sessions that have ended. Throws std::runtime_error when the users cannot
   // be read.
-  Doorkeeper(Scheme scheme, std::filesystem::path users, OnEnd on_end);
+  Authentication(Scheme scheme, std::filesystem::path users, OnEnd on_end);
 
   [[nodiscard]] bool has_users() const { return logins_.has_users(); }
 
@@ -41,7 +41,7 @@ class Doorkeeper {
   void tick(const std::vector<std::uint64_t>& open);
 
  private:
-  [[nodiscard]] Answer let_in(Visitor visitor);
+  [[nodiscard]] Answer let_in(Identity identity);
   [[nodiscard]] std::string cookie(const std::string& value, std::chrono::seconds age) const;
   void end_where(const Sessions::Condition& condition);
 

@@ -1,9 +1,9 @@
-// MachineWindow: what one WebSocket sees of the machine: messages of the daemon's protocol, passed
+// WebSocketRelay: what one WebSocket sees of the machine: messages of the daemon's protocol, passed
 // on in both directions as they are; pages of geometry become binary frames (geometry_frame.h).
 //
 // Each has a connection of its own to the daemon, so that session, role, control, the lease of a
 // jog and back-pressure stay the daemon's: when the browser goes, the connection goes, and with it
-// what it held. The role is lowered to the visitor's before the first message of the browser is
+// what it held. The role is lowered to that of its user before the first message of the browser is
 // passed on. Nothing is queued here: the next message is read when the last one is written, and who
 // takes too long for that loses its connection. One thread.
 #pragma once
@@ -25,14 +25,14 @@
 
 namespace stanok::web {
 
-class MachineWindow : public std::enable_shared_from_this<MachineWindow> {
+class WebSocketRelay : public std::enable_shared_from_this<WebSocketRelay> {
  public:
   using Time = std::chrono::steady_clock::time_point;
   static constexpr auto write_time_max = std::chrono::seconds(10);
   // For a browser to end its side when the daemon has gone.
   static constexpr auto outlast_time_max = std::chrono::seconds(2);
 
-  MachineWindow(std::shared_ptr<ClientStream> stream, WebSession session);
+  WebSocketRelay(std::shared_ptr<ClientStream> stream, WebSession session);
 
   // Takes the request for a WebSocket and serves it until one side ends.
   [[nodiscard]] boost::asio::awaitable<void> serve(Request request, std::filesystem::path socket);
@@ -60,7 +60,7 @@ class MachineWindow : public std::enable_shared_from_this<MachineWindow> {
   [[nodiscard]] boost::asio::awaitable<void> pass_to_browser();
   [[nodiscard]] boost::asio::awaitable<void> outlast_browser();
   [[nodiscard]] static boost::asio::awaitable<void> pass_to_machine(
-      std::shared_ptr<MachineWindow> self);
+      std::shared_ptr<WebSocketRelay> self);
 
   std::shared_ptr<ClientStream> stream_;
   WebSocket websocket_;
