@@ -1,6 +1,7 @@
 #include "web/access/user_list.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -56,6 +57,15 @@ void write_all(int descriptor, std::string_view text, const fs::path& file) {
   }
 }
 
+// False: another process writes the file, or has just put it in its place. One that a power failure
+// left behind is nobody's.
+bool is_alone_with(int descriptor, const fs::path& file) {
+  struct stat opened{};
+  struct stat named{};
+  return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &opened) == 0 &&
+         ::stat(file.c_str(), &named) == 0 && opened.st_ino == named.st_ino;
+}
+
 void sync_folder_of(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -105,9 +115,15 @@ void UserList::write(const fs::path& file) const {
   }
   const fs::path fresh = file.string() + ".new";
   const int descriptor =
-      ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, only_for_owner);
+      ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, only_for_owner);
   if (descriptor < 0) fail(fresh, system_error_text(errno));
+  if (!is_alone_with(descriptor, fresh)) {
+    ::close(descriptor);
+    fail(file, "somebody else changes it; try again");
+  }
   try {
+    if (::ftruncate(descriptor, 0) != 0 || ::fchmod(descriptor, only_for_owner) != 0)
+      fail(fresh, system_error_text(errno));
     write_all(descriptor, text, fresh);
     if (::fsync(descriptor) != 0) fail(fresh, system_error_text(errno));
     if (::rename(fresh.c_str(), file.c_str()) != 0) fail(file, system_error_text(errno));

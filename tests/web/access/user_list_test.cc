@@ -1,11 +1,14 @@
 // Users in their file, and how long who guesses waits.
 #include "web/access/user_list.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "base/file_descriptor.h"
 #include "tests/support/temporary_directory.h"
 #include "web/access/login_delays.h"
 #include "web/access/password.h"
@@ -38,6 +41,17 @@ TEST(UserList, IsTheSameBehindItsFile) {
   EXPECT_FALSE(list.remove("anna"));
 }
 
+// A power failure in the middle of a write left it there; no user could be added any more.
+TEST(UserList, IsWrittenThoughAnEarlierWriteWasCut) {
+  const testing::TemporaryDirectory folder;
+  const auto file = folder.path() / "users";
+  std::ofstream(file.string() + ".new") << "anna:oper";
+  UserList list;
+  list.set({"anna", Role::observer, "hash"});
+  list.write(file);
+  EXPECT_EQ(UserList::from_file(file).users(), list.users());
+}
+
 TEST(UserList, ADamagedFileIsToldWithItsLine) {
   const testing::TemporaryDirectory folder;
   const auto file = folder.path() / "users";
@@ -66,6 +80,8 @@ TEST(UserList, AWriteThatFailsLeavesTheFileAsItWas) {
   const auto file = folder.path() / "users";
   write_private(file, "anna:operator:hash\n");
   write_private(folder.path() / "users.new", "another one writes");
+  const FileDescriptor other(::open((folder.path() / "users.new").c_str(), O_WRONLY | O_CLOEXEC));
+  ASSERT_EQ(::flock(other.number(), LOCK_EX), 0);
   EXPECT_THROW(UserList().write(file), std::runtime_error);
   EXPECT_EQ(UserList::from_file(file).users().size(), 1U);
 }
