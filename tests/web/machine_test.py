@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -20,6 +21,7 @@ from running_daemon import Operator, running_daemon  # noqa: E402
 from web_browser import PATIENCE_S, Browser, Closed, running_web  # noqa: E402
 
 STANOK_WEB, STANOKD, STANOK, MACHINE = (sys.argv.pop(1) for _ in range(4))
+FOLLOWED_S = 5
 LONG_PROGRAM = "for (num turn = 0; turn < 100000; turn++) {\nG1 X5 F600\nX0\n}\nM30\n"
 
 
@@ -268,6 +270,44 @@ class AtTheMachine(unittest.TestCase):
             self.assertIn("state", window.ask("channel.status"))
             window.close()
         self.until(lambda _: self.operator.ask("system.info")["clients"] == 1, "they had gone")
+
+    def test_a_run_that_fifty_pages_follow_repeats_from_its_log(self):
+        owner = self.open_window()
+        self.switch_on(owner)
+        self.insist(owner, "program.run", code="E6008", program="part.nc")
+        self.until(lambda status: status["line"] > 0, "a line was executed")
+        time.sleep(FOLLOWED_S)
+        alone = owner.ask("machine.status")
+        windows = [self.browser.open_window() for _ in range(49)]
+        for window in windows:
+            window.ask("subscribe", topics=["machine", "channels", "drives", "events"], rate_hz=20)
+        counts = [[] for _ in windows]
+        readers = [threading.Thread(target=self.count_status, args=pair) for pair in zip(windows, counts)]
+        for thread in readers:
+            thread.start()
+        for thread in readers:
+            thread.join()
+        followed = owner.ask("machine.status")
+        self.assertEqual(followed["outputs_lost"], alone["outputs_lost"])
+        # However many a loaded computer leaves out: no page is forgotten.
+        self.assertGreater(min(len(count) for count in counts), 0)
+        log = os.path.basename(owner.ask("log.stop")["path"])
+        verified = owner.ask("history.verify", file=log)
+        self.assertEqual((verified["verdict"], verified["difference"]), ("same", None), verified)
+        figures = [(one["rt"]["cycle_us"]["p999"], one["rt"]["latency_us"]["p999"]) for one in (alone, followed)]
+        print(f"cycle and lateness p99.9 in us: {figures[0]} alone, {figures[1]} with 50 pages; "
+              f"{sum(len(count) for count in counts)} messages; {verified}")
+        for window in windows:
+            window.close()
+        owner.close()
+
+    @staticmethod
+    def count_status(window, times):
+        """The times of the status messages of some seconds."""
+        end = time.monotonic() + FOLLOWED_S
+        while (now := time.monotonic()) < end:
+            if window.receive().get("method") == "status":
+                times.append(now)
 
     def test_stanok_panel_prints_a_link_that_opens(self):
         desk = os.path.join(self.folder, "links.panel")
