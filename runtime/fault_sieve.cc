@@ -12,9 +12,8 @@ namespace {
 
 // Faults of the state that the blocks before leave behind: feed, speed, tool, modes.
 constexpr auto of_state = std::to_array<std::string_view>(
-    {"E4012", "E4020", "E4021", "E4036", "E4051", "E4052", "E4055",
-     "E4056", "E4064", "E4065", "E4140", "E4141", "E4142", "E4150",
-     "E4301", "E4303", "E4311", "E4333", "E4343", "E4344", "E5021"});
+    {"E4012", "E4020", "E4021", "E4036", "E4051", "E4052", "E4055", "E4056", "E4064", "E4065",
+     "E4140", "E4141", "E4142", "E4150", "E4301", "E4303", "E4333", "E4343", "E4344", "E5021"});
 // Faults of the way from where the axes stand.
 constexpr auto of_geometry = std::to_array<std::string_view>(
     {"E4032", "E4033", "E4035", "E4067", "E4068", "E4143", "E4144", "E4145", "E4146", "E4147",

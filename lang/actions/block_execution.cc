@@ -62,7 +62,9 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
   const bool by_vector = (number == g(0) || number == g(1)) &&
                          block.modal.code(Group::length) == g(43, 5) &&
                          (free_words & vector_letters) != 0;
-  const bool moves = block.programmed != 0 || by_vector || (arc && (free_words & arc_words) != 0);
+  const bool knot = number == g(6, 2) && block.modal.curve.open();
+  const bool moves =
+      block.programmed != 0 || by_vector || knot || (arc && (free_words & arc_words) != 0);
   if (!moves) return;
   const Code* const motion = find_code('G', number);
   if (motion->axes == AxisWords::unused) {
@@ -89,18 +91,26 @@ void check_incremental_words(ActiveBlock& block, const BlockCodes& codes) {
              "not here");
 }
 
-// Between G5.2 and G5.3 there are control points, nothing else.
+bool belongs_to(const ProgrammedCurve& curve, CodeAction action) {
+  if (curve.has_knots()) return action == CodeAction::collect_knot;
+  return action == CodeAction::collect_nurbs_point || action == CodeAction::end_nurbs;
+}
+
+// Between G5.2 and G5.3, and up to the last knot of G6.2, there are control points, nothing else.
 void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
-  if (!block.modal.curve.open()) return;
+  const ProgrammedCurve& curve = block.modal.curve;
+  if (!curve.open()) return;
   for (const Code* const row : codes) {
-    if (row->action == CodeAction::collect_nurbs_point || row->action == CodeAction::end_nurbs)
-      continue;
+    if (belongs_to(curve, row->action)) continue;
     BlockFault& fault =
         block.fail("E4312", {row->letter, row->number, {}},
                    "`" + code_text(row->letter, row->number) + "` inside a NURBS curve",
                    "the curve is not ended");
     fault.notes.push_back(block.modal.origin_of(Group::motion));
-    fault.help.emplace_back("end the curve with `G5.3` before");
+    fault.help.push_back(curve.has_knots()
+                             ? "end the curve before: " + std::to_string(curve.knots_to_come()) +
+                                   " knots are missing, `K` in blocks of their own"
+                             : "end the curve with `G5.3` before");
     return;
   }
 }
@@ -249,7 +259,7 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   const BlockWords& words = block.words;
   CodeNumber motion = block.modal.code(Group::motion);
   if (words.m.count != 0 || words.g.count > 1 || !words.named.empty()) return false;
-  if (motion == g(5, 2)) return false;  // inside a NURBS curve
+  if (block.modal.curve.open()) return false;
   if (words.g.count == 1) motion = words.g.numbers[0];
   if (motion != g(0) && motion != g(1)) return false;
   if (block.modal.code(Group::polar) != g(15)) return false;

@@ -92,12 +92,24 @@ using CurvePoint = std::array<double, 2>;
 struct ProgrammedCurve {
   CurvePoint arrival{};  // G5: from the end to its second control point, in W
 
-  // G5.2, until G5.3: control points with the start, in W.
+  // G5.2, until G5.3: control points with the start, in W. G6.2, until there are as many knots as
+  // points and order together: the control points, in W.
   int order = 0;
   std::vector<CurvePoint> points;
   std::vector<double> weights;
+  std::vector<double> knots;  // G6.2
 
   [[nodiscard]] bool open() const { return !points.empty(); }
+  [[nodiscard]] bool has_knots() const { return !knots.empty(); }
+  // How many knots are missing.
+  [[nodiscard]] int knots_to_come() const {
+    return static_cast<int>(points.size()) + order - static_cast<int>(knots.size());
+  }
+  void close() {
+    points.clear();
+    weights.clear();
+    knots.clear();
+  }
 };
 
 // Feed. Invariant: F is known, or waits behind a law, or neither.

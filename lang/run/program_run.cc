@@ -249,8 +249,10 @@ void ProgramRun::leave_for_block(int block) {
 void ProgramRun::end_text() {
   state_.begin_commands(vm_.instruction_origin());
   if (vm_.frames().size() > 1) return leave_subprogram();
-  if (state_.modal.curve.open())
-    return vm_.fail("E4312", "the text ends inside a NURBS curve", "no G5.3");
+  if (const ProgrammedCurve& curve = state_.modal.curve; curve.open()) {
+    return vm_.fail("E4312", "the text ends inside a NURBS curve",
+                    curve.has_knots() ? "knots are missing" : "no G5.3");
+  }
   end_program(ProgramEndKind::end_of_text);
 }
 

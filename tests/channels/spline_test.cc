@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "channels/machine/machine.h"
@@ -47,6 +48,33 @@ TEST(Spline, CubicFollowsItsBezierCurveAtTheFeed) {
   EXPECT_LT(worst, 1e-6);
   EXPECT_EQ(bench.channel(1).axes[0].position, 60.0);
   EXPECT_EQ(bench.channel(1).axes[1].position, 0.0);
+}
+
+// The same cubic, with Z and X, and with Y and Z for X and Y.
+TEST(Spline, LiesInThePlaneThatIsActive) {
+  const std::array<std::string, 2> programs{"G18 G1 F3000\nG5 Z-60 X0 K0 I40 P0 Q40\nM30\n",
+                                            "G19 G1 F3000\nG5 Y60 Z0 J0 K-40 P0 Q-40\nM30\n"};
+  const std::array<std::array<std::size_t, 3>, 2> axes{{{2, 0, 1}, {1, 2, 0}}};
+  const std::array<std::array<double, 2>, 2> signs{{{-1.0, 1.0}, {1.0, -1.0}}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    MachineBench bench;
+    double worst = 0.0;
+    double out = 0.0;
+    bench.program("p.nc", programs[k]);
+    bench.run(1, "p.nc");
+    bench.run_to_end([&](const CycleOutput& output) {
+      const auto& at = output.channels[0].axes;
+      const double x = signs[k][0] * at[axes[k][0]].position;
+      const double y = signs[k][1] * at[axes[k][1]].position;
+      const double u = 0.5 * (1.0 - std::sqrt(std::max(0.0, 1.0 - y / 30.0)));
+      const double left = 60.0 * u * u * (3.0 - 2.0 * u);
+      worst = std::max(worst, std::min(std::abs(x - left), std::abs(x - (60.0 - left))));
+      out = std::max(out, std::abs(at[axes[k][2]].position));
+    });
+    EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+    EXPECT_LT(worst, 1e-6);
+    EXPECT_EQ(out, 0.0);
+  }
 }
 
 TEST(Spline, SpeedIsTheFeedToRounding) {

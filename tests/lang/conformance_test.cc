@@ -141,6 +141,7 @@ class Describer {
     for (const auto& point : spline.points)
       text += " (" + number_text(point[0]) + " " + number_text(point[1]) + ")";
     for (const double weight : spline.weights) text += " w" + number_text(weight);
+    if (spline.base.plane != Plane::xy) text += spline.base.plane == Plane::zx ? " ZX" : " YZ";
     return text + " F" + number_text(spline.base.feed);
   }
   std::string operator()(const SynchronousMove& move) const {

@@ -1,3 +1,3 @@
-G18 G5.1 X1 I1 F100
+G18 G5.1 X1 Z1 I1 J1 F100
 M30
-; expect error 1:5 E4311
+; expect error 1:19 E4030

@@ -1,0 +1,4 @@
+F100 G6.2 P3 K1 X0 Y0
+K0 X1 Y1
+M30
+; expect error 2:1 E4008

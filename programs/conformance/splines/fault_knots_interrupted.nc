@@ -1,0 +1,5 @@
+F100 G6.2 P3 K0 X0 Y0
+K0 X1 Y1
+M8
+M30
+; expect error 3:1 E4312

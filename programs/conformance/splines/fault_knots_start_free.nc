@@ -1,0 +1,8 @@
+F100 G6.2 P3 K0 X0 Y0
+K1 X5 Y9
+K2 X9 Y0
+K3
+K4
+K5
+M30
+; expect error 6:1 E4008

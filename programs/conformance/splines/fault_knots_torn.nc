@@ -1,0 +1,8 @@
+F100 G6.2 P2 K0 X0 Y0
+K0 X1 Y1
+K1 X2 Y2
+K1 X3 Y3
+K2
+K2
+M30
+; expect error 6:1 E4008
