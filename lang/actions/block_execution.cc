@@ -11,6 +11,7 @@
 #include "lang/orientation/tool_orientation.h"
 #include "lang/words/corner_word.h"
 #include "lang/words/law_address.h"
+#include "lang/words/polar_word.h"
 
 namespace stanok::lang {
 namespace {
@@ -163,6 +164,7 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
     if (block.channel_words.axis_called(word.name).exists()) continue;
     if (spindle_of_indexed_speed(word) || is_word_of_spindle_axis(codes, word)) continue;
     if (is_law_address(word.name) || is_corner_word(word.name)) continue;
+    if (is_polar_word(word.name)) continue;
     block.fail("E4003", {0, -1, word.name}, "nothing in this block uses `" + word.name + "`",
                "unused word");
   }
@@ -223,6 +225,7 @@ void execute_block(ActiveBlock& block) {
   apply_units(block, codes);
   collect_axis_words(block);
   collect_incremental_words(block, codes);
+  collect_polar_words(block);
   refuse_axes_that_are_spindles(block);
   if (block.failed()) return;
   if (auto fault = missing_axes(codes, axis_words_of(block))) {

@@ -12,7 +12,10 @@ void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes);
 // Whether an axis is programmed in mm: all that are not rotary, and C on the polar face.
 [[nodiscard]] bool is_length(const ActiveBlock& block, AxisIndex axis);
 
-// Polar input, G16 (polar_words.cc).
+// The words `@` and `^` stand for X and Y; fails where they cannot (polar_words.cc).
+void collect_polar_words(ActiveBlock& block);
+
+// Polar input, G16, and the words `@` and `^` (polar_words.cc).
 // Puts the point that radius and angle mean into the values of the block, given from zero. `user`:
 // the code that has the axis words; the modes of the block are in force.
 void take_polar_words(ActiveBlock& block, const Code& user);

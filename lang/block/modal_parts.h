@@ -193,8 +193,10 @@ struct PolarInput {
   std::array<double, 2> centre{};
   double radius = 0.0;
   double angle_deg = 0.0;
-  // What the last block adds when it is repeated: an angle in G91, and a radius from the position.
+  // What the last block adds when it is repeated: an angle in G91, and a radius from the position;
+  // with the words `@` and `^` an angle and a radius.
   double step_deg = 0.0;
+  double step_radius = 0.0;
   bool from_position = false;
 };
 

@@ -1,6 +1,5 @@
 #include "lang/corners/corner_words.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -8,11 +7,6 @@
 
 namespace stanok::lang {
 namespace {
-
-const NamedWord* word_called(const BlockWords& words, std::string_view name) {
-  const auto found = std::ranges::find(words.named, name, &NamedWord::name);
-  return found == words.named.end() ? nullptr : &*found;
-}
 
 // Of lengths in the plane, by scaling; none where its axes are scaled differently.
 std::optional<double> gain_in_plane(const ActiveBlock& block) {
@@ -34,8 +28,8 @@ bool has_plane(const ActiveBlock& block) {
 
 void read_corner(ActiveBlock& block) {
   if (block.words.named.empty()) return;
-  const NamedWord* const chamfer = word_called(block.words, chamfer_word);
-  const NamedWord* const rounding = word_called(block.words, rounding_word);
+  const NamedWord* const chamfer = block.words.called(chamfer_word);
+  const NamedWord* const rounding = block.words.called(rounding_word);
   const NamedWord* const word = chamfer != nullptr ? chamfer : rounding;
   if (word == nullptr) return;
   const WordName place{0, -1, word->name};

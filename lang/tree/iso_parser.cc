@@ -99,14 +99,7 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
     return false;
   }
   if (c == ',') return parse_corner_word(block);
-  if (c == '@' || c == '^') {
-    reporter_
-        .error("E2090", scanner_.here(),
-               std::string("`") + c + "` words are not supported in this release",
-               "polar coordinates")
-        .help.emplace_back(find_unsupported_word({&c, 1})->instead);
-    return false;
-  }
+  if (c == '@' || c == '^') return parse_sign_word(block, {c});
   if ((is_digit(c) || c == '.') && !block.words.empty()) {
     reporter_
         .error("E1003", scanner_.here(), "there is a blank inside a number",
@@ -166,8 +159,6 @@ bool IsoParser::parse_word(IsoBlock& block) {
 
 // `,C2` and `,R0.5`; `,A` is a line by its angle.
 bool IsoParser::parse_corner_word(IsoBlock& block) {
-  const std::size_t start = scanner_.offset();
-  const std::uint32_t line = scanner_.line();
   const char letter = upper_case(scanner_.character(1));
   if (letter != 'C' && letter != 'R') {
     reporter_
@@ -176,9 +167,16 @@ bool IsoParser::parse_corner_word(IsoBlock& block) {
         .help.emplace_back(find_unsupported_word(",A")->instead);
     return false;
   }
+  return parse_sign_word(block, {',', letter});
+}
+
+// A word whose name begins with a sign, which stands here: `,C2`, `@20`, `^45`.
+bool IsoParser::parse_sign_word(IsoBlock& block, std::string name) {
+  const std::size_t start = scanner_.offset();
+  const std::uint32_t line = scanner_.line();
   IsoWord word;
-  word.name.name = {',', letter};
-  scanner_.advance(2);
+  scanner_.advance(name.size());
+  word.name.name = std::move(name);
   scanner_.skip_blanks(LineEnds::significant);
   if (!parse_plain_value(word)) return false;
   word.span = scanner_.span_from(start, line);

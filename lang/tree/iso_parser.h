@@ -36,6 +36,7 @@ class IsoParser {
   bool parse_iso_part(IsoBlock& block);
   bool parse_word(IsoBlock& block);
   bool parse_corner_word(IsoBlock& block);
+  bool parse_sign_word(IsoBlock& block, std::string name);
   bool parse_long_word(IsoBlock& block, std::string_view name);
   bool parse_plain_value(IsoWord& word);
   bool apply_aliases(IsoBlock& block);

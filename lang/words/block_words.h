@@ -93,6 +93,11 @@ struct BlockWords {
   [[nodiscard]] bool empty() const {
     return letters == 0 && g.count == 0 && m.count == 0 && named.empty() && !spindle_named;
   }
+  // nullptr: the block has none of that name.
+  [[nodiscard]] const NamedWord* called(std::string_view name) const {
+    const auto found = std::ranges::find(named, name, &NamedWord::name);
+    return found == named.end() ? nullptr : &*found;
+  }
 };
 
 }  // namespace stanok::lang

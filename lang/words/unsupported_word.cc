@@ -16,8 +16,6 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G37", "measurement of a tool", "use G38.2 and `settable_tool`"},
     {"G87", "boring from behind", "use G1 with M19"},
     {"G88", "boring, out by hand", "use G1 and M0 in the bottom of the hole"},
-    {"@", "a polar radius", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
-    {"^", "a polar angle", "write `X=radius*cos (angle) Y=radius*sin (angle)`"},
     {",A", "a line by its angle", "write the end of the line with both coordinates"},
     {"(LOG,...)", "a line of a log file", "use `log (text);`"},
 });
