@@ -5,6 +5,7 @@
 // left normal n by +-sqrt(R^2 - (|p1 - p0| / 2)^2); left for a counter-clockwise arc of less than
 // half a turn. On a cylinder of radius r the plane is its surface, seen from outside: first is
 // r * C along the surface, in mm, second is Z.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -171,6 +172,19 @@ std::optional<Point> centre_from_radius(ActiveBlock& block, const ArcPlane& plan
   return Point{p0[0] + dx / 2.0 - dy * scale, p0[1] + dy / 2.0 + dx * scale};
 }
 
+// How far the radii may differ. Programs of LinuxCNC may do so as far as there: by a thousandth of
+// the radius too, up to a hundred times of the tolerance (LinuxCNC, interp_arc.cc and
+// CENTER_ARC_RADIUS_TOLERANCE).
+double radius_tolerance(const ActiveBlock& block, double radius) {
+  const double usual = block.channel.arc_radius_tolerance_mm;
+  if (!block.words.rules.is_linuxcnc()) return usual;
+  constexpr double per_radius = 0.001;
+  constexpr double largest = 100.0;
+  const double fixed =
+      2.0 * std::numbers::sqrt2 * (block.modal.inches() ? 0.001 * mm_per_inch : 0.01);
+  return std::max({usual, fixed, std::min(per_radius * radius, largest * fixed)});
+}
+
 bool check_radii(ActiveBlock& block, const Point& p0, const Point& p1, const Point& c,
                  CodeNumber code) {
   const double r0 = std::hypot(p0[0] - c[0], p0[1] - c[1]);
@@ -179,7 +193,7 @@ bool check_radii(ActiveBlock& block, const Point& p0, const Point& p1, const Poi
     block.fail("E4033", code_word(code), "the arc starts in its own centre", "radius 0");
     return false;
   }
-  if (std::abs(r1 - r0) <= block.channel.arc_radius_tolerance_mm) return true;
+  if (std::abs(r1 - r0) <= radius_tolerance(block, std::max(r0, r1))) return true;
   block
       .fail("E4032", code_word(code), "start and end of the arc have different radii",
             "radius " + in_mm(r0) + " mm at the start, " + in_mm(r1) + " mm at the end")

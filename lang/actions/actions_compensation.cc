@@ -126,8 +126,12 @@ std::optional<Tool> tool_of_radius(ActiveBlock& block, CodeNumber code) {
   if (block.has('D')) {
     const auto named = block.integer('D', 0, 99999999);
     if (!named) return std::nullopt;
-    number = *named;
-    edge = 1;
+    // For LinuxCNC D0 names the tool in the spindle.
+    const bool in_spindle = *named == 0 && block.words.rules.is_linuxcnc();
+    if (!in_spindle) {
+      number = *named;
+      edge = 1;
+    }
   } else if (block.words.rules.is_fanuc() && block.modal.tool.radius_offset >= 0) {
     number = block.modal.tool.radius_offset;
     edge = 1;
@@ -176,6 +180,7 @@ void select_compensation(ActiveBlock& block, CodeNumber code) {
       ((code == g(41) || code == g(41, 1)) == (tool->radius_mm >= 0.0)) != mirrors(block);
   selected.side = left ? RadiusCompensation::Side::left : RadiusCompensation::Side::right;
   selected.radius_mm = std::abs(tool->radius_mm);
+  selected.arc_leads_in = !block.words.rules.is_fanuc();
   selected.plane = block.modal.plane();
   selected.orientation = std::clamp(tool->orientation, 0, 9);
 }

@@ -37,7 +37,8 @@ void change_length(ActiveBlock& block, ToolLength after) {
   block.modal.shift_position(distance_B);
 }
 
-// Edge whose length counts: that of the tool H names, the active one without H.
+// Edge whose length counts: that of the tool H names, the active one without H. For LinuxCNC H0
+// names the tool in the spindle, too.
 struct LengthSource {
   int tool = 0;
   int edge = 1;
@@ -48,7 +49,8 @@ std::optional<LengthSource> length_source(ActiveBlock& block) {
   if (block.has('H')) {
     const auto named = block.integer('H', 0, 99999999);
     if (!named) return std::nullopt;
-    source = {*named, 1};
+    const bool in_spindle = *named == 0 && block.words.rules.is_linuxcnc();
+    if (!in_spindle) source = {*named, 1};
   }
   if (source.tool == 0 || block.tables.tool_edge(source.tool, source.edge)) return source;
   block.fail("E5021", {block.has('H') ? 'H' : 'G', block.has('H') ? -1 : 430, {}},

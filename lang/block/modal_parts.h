@@ -80,6 +80,7 @@ struct RadiusCompensation {
   Plane plane = Plane::xy;
   int orientation = 0;  // of a lathe tool, 0 to 9
   double radius_mm = 0.0;
+  bool arc_leads_in = true;  // not in the dialects of Fanuc
 
   [[nodiscard]] bool on() const { return side != Side::off; }
   bool operator==(const RadiusCompensation&) const = default;

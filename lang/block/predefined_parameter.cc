@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "lang/block/point_parameter.h"
 
@@ -50,6 +51,24 @@ double position_of(const BlockSurroundings& around, char letter) {
 template <char Letter>
 double position(const ParameterView& view) {
   return position_of(view.around, Letter);
+}
+
+// Where the axis stands in machine coordinates, at the end of the block before. Not known (NaN)
+// while the words of the program are no coordinates of axes: TCP, G12.1, G7.1.
+template <char Letter>
+double machine_position(const ParameterView& view) {
+  constexpr char letter = Letter;
+  const BlockSurroundings& around = view.around;
+  const ModalState& modal = around.modal;
+  const AxisIndex axis = around.channel_words.axis_called(std::string_view(&letter, 1));
+  if (!axis.exists()) return 0.0;
+  const ToolLength& length = modal.tool.length;
+  if (length.mode == LengthMode::tip || modal.transformation.axis >= 0)
+    return std::numeric_limits<double>::quiet_NaN();
+  const int geometry = around.channel.axes[axis].geometry;
+  const double tool = geometry < 0 ? 0.0 : length.offset_mm[AxisIndex(geometry).place()];
+  const AxisValues position_B = modal.frame().base_from_work(modal.position_W);
+  return as_programmed(around, axis, position_B[axis] + around.tables.scheme_zero()[axis] + tool);
 }
 
 double spindle_runs(const ParameterView& view) {
@@ -119,6 +138,15 @@ constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_u", position<'U'>},
     {"_v", position<'V'>},
     {"_w", position<'W'>},
+    {"_abs_x", machine_position<'X'>},
+    {"_abs_y", machine_position<'Y'>},
+    {"_abs_z", machine_position<'Z'>},
+    {"_abs_a", machine_position<'A'>},
+    {"_abs_b", machine_position<'B'>},
+    {"_abs_c", machine_position<'C'>},
+    {"_abs_u", machine_position<'U'>},
+    {"_abs_v", machine_position<'V'>},
+    {"_abs_w", machine_position<'W'>},
     {"_current_tool", active_tool},
     {"_current_pocket", active_tool},
     {"_selected_tool", prepared_tool},

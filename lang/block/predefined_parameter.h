@@ -27,8 +27,8 @@ struct ParameterView {
 };
 
 struct PredefinedParameter {
-  std::string_view name;  // folded, with its _
-  double (*read)(const ParameterView&) = nullptr;
+  std::string_view name;                           // folded, with its _
+  double (*read)(const ParameterView&) = nullptr;  // NaN: not known now
 };
 
 [[nodiscard]] std::span<const PredefinedParameter> predefined_parameters();

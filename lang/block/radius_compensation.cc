@@ -172,11 +172,8 @@ StageResult CompensationStage::take_move(Command& command, Move& move) {
   return continue_contour(command, move);
 }
 
-StageResult CompensationStage::lead_in(Command& command, const Move& move) {
-  if (is_arc(command, move)) {
-    return fault_of(command.origin, "E4143", "radius compensation begins with an arc",
-                    "G0 or G1 must come first");
-  }
+StageResult CompensationStage::lead_in(Command& command, Move& move) {
+  if (move.kind == MoveKind::arc) return lead_in_by_arc(command, move);
   const PlanePoint start = plane_point(programmed_W_) + deviation_;
   const PlanePoint end = plane_point(move.end);
   if (norm(end - start) <= std::abs(offset_)) {
@@ -186,6 +183,40 @@ StageResult CompensationStage::lead_in(Command& command, const Move& move) {
   }
   held_ = Held{{start, end, false, {}, false, 0.0}, command, start, 0.0, true,
                std::exchange(law_, std::nullopt)};
+  programmed_W_ = move.end;
+  state_ = State::active;
+  return std::nullopt;
+}
+
+// The arc from where the tool is to the perpendicular at the end of the programmed arc, which it
+// leaves in the programmed direction. It goes on as the parallel of an arc about its own centre.
+StageResult CompensationStage::lead_in_by_arc(Command& command, Move& move) {
+  if (!selected_.arc_leads_in) {
+    return fault_of(command.origin, "E4143", "radius compensation begins with an arc",
+                    "G0 or G1 must come first");
+  }
+  PlaneElement element = element_of(move);
+  if (parallel_end_radius(element, offset_) < same_point) {
+    return fault_of(command.origin, "E4145", "the tool is too large for the inside of this arc",
+                    "the radius is smaller than the tool's");
+  }
+  const PlanePoint start = plane_point(programmed_W_) + deviation_ - tip_;
+  const PlanePoint way = element.end + offset_ * left_of(end_tangent(element)) - start;
+  const PlanePoint inwards =
+      (1.0 / norm(element.centre - element.end)) * (element.centre - element.end);
+  // From the end of the way along `inwards`, as far from its start.
+  const double radius = dot(way, way) / (-2.0 * dot(way, inwards));
+  const double outside = element.counter_clockwise ? -offset_ : offset_;
+  if (!(radius > std::max(outside, 0.0) + same_point)) {
+    return fault_of(command.origin, "E4143", "no arc leads in to radius compensation from here",
+                    "begin with G0 or G1");
+  }
+  element.centre = start + way + radius * inwards;
+  const PlanePoint outwards = (1.0 / radius) * (start - element.centre);
+  element.start = element.centre + (radius - outside) * outwards;
+  element = with_sweep(element, move.turns);
+  move.centre = {element.centre.first, element.centre.second};
+  held_ = Held{element, command, start, 0.0, false, std::exchange(law_, std::nullopt)};
   programmed_W_ = move.end;
   state_ = State::active;
   return std::nullopt;

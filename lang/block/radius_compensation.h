@@ -9,7 +9,9 @@
 // perpendicular at the end of the contour to the programmed point. Gouges are errors: an arc
 // smaller than the tool, a corner that the tool cannot reach, an element that vanishes between its
 // corners. Places that are narrow between elements which do not follow each other are not seen. A
-// tool without a radius runs on the contour itself. One element is held until the next one is
+// tool without a radius runs on the contour itself. Outside of the dialects of Fanuc an arc may
+// lead in: from where the tool is to the perpendicular at its end, in the direction programmed
+// there. One element is held until the next one is
 // known; commands without plane motion wait with it, in their order. The feed law of a block stays
 // before the parallel of its own element, behind the arc about the corner. Source: T. R. Kramer, F.
 // M. Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3" (NISTIR 6556, 2000), appendix
@@ -82,7 +84,8 @@ class CompensationStage {
   StageResult take_move(Command& command, Move& move);
   StageResult wait_with_law(Command& command);
   void pass_law();
-  StageResult lead_in(Command& command, const Move& move);
+  StageResult lead_in(Command& command, Move& move);
+  StageResult lead_in_by_arc(Command& command, Move& move);
   StageResult continue_contour(Command& command, const Move& move);
   StageResult lead_out(Command& command, Move& move);
   StageResult wait_with_element(Command& command);

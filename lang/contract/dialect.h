@@ -21,6 +21,7 @@ struct TextRules {
   [[nodiscard]] constexpr bool is_fanuc() const {
     return dialect == Dialect::fanuc || dialect == Dialect::haas;
   }
+  [[nodiscard]] constexpr bool is_linuxcnc() const { return dialect == Dialect::linuxcnc; }
   [[nodiscard]] constexpr bool is_haas() const { return dialect == Dialect::haas; }
   friend bool operator==(const TextRules&, const TextRules&) = default;
 };

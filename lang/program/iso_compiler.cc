@@ -14,6 +14,7 @@ namespace {
 constexpr double alarm_variable = 3000.0;
 constexpr double stop_variable = 3006.0;
 constexpr double first_alarm_of_haas = 1000.0;
+constexpr double abort_code = 1000.0;  // of (ABORT,...): U1000
 
 bool is_code(const IsoWord& word) {
   return word.name.letter == 'G' || word.name.letter == 'M';
@@ -39,7 +40,12 @@ Span span_of(const BlockTemplate& made, const WordName& name) {
 
 void IsoCompiler::compile(const IsoBlock& block) {
   for (const ActiveComment& comment : block.comments) {
+    if (comment.aborts) code_.push_number(abort_code, comment.text.span);
     if (!expressions_.require(comment.text, Type::string, "the message")) return;
+    if (comment.aborts) {
+      code_.emit(Op::terminate, comment.text.span);
+      continue;
+    }
     code_.emit(Op::message, comment.text.span, 0, 0, static_cast<std::uint16_t>(comment.kind));
   }
   BlockTemplate made;

@@ -190,7 +190,7 @@ std::optional<double> ParameterStore::numbered(double number, ValueFault& fault)
 std::optional<double> ParameterStore::named(const std::string& name, ValueFault& fault) {
   if (is_of_channel(name)) {
     const PredefinedParameter* const row = find_predefined_parameter(name);
-    if (row != nullptr) return row->read(view());
+    if (row != nullptr) return predefined_value(*row, fault);
   }
   if (const auto slot = program_->named_parameters.find(name)) return named_value(*slot, fault);
   fault = {"E3014", "parameter #<" + name + "> has no value", "not set before"};
@@ -213,8 +213,17 @@ bool ParameterStore::is_set(std::uint32_t slot) const {
   return !std::isnan(named_[slot]);
 }
 
-double ParameterStore::predefined(std::uint32_t row) const {
-  return predefined_parameters()[row].read(view());
+std::optional<double> ParameterStore::predefined(std::uint32_t row, ValueFault& fault) const {
+  return predefined_value(predefined_parameters()[row], fault);
+}
+
+std::optional<double> ParameterStore::predefined_value(const PredefinedParameter& row,
+                                                       ValueFault& fault) const {
+  const double value = row.read(view());
+  if (!std::isnan(value)) return value;
+  fault = {"E3014", "parameter #<" + std::string(row.name) + "> has no value",
+           "not while TCP or a transformation is active"};
+  return std::nullopt;
 }
 
 bool ParameterStore::set_numbered(double number, double value, ValueFault& fault) {

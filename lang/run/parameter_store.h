@@ -63,7 +63,7 @@ class ParameterStore final : public Parameters {
   // The value of a slot, of a row of predefined_parameters(), and of Rn.
   [[nodiscard]] std::optional<double> named_value(std::uint32_t slot, ValueFault& fault) const;
   [[nodiscard]] bool is_set(std::uint32_t slot) const;
-  [[nodiscard]] double predefined(std::uint32_t row) const;
+  [[nodiscard]] std::optional<double> predefined(std::uint32_t row, ValueFault& fault) const;
   [[nodiscard]] double r_parameter(std::uint32_t number) const { return r_parameters_[number]; }
 
   // False, with the reason, when the number cannot be set.
@@ -91,6 +91,8 @@ class ParameterStore final : public Parameters {
 
  private:
   [[nodiscard]] ParameterView view() const;
+  [[nodiscard]] std::optional<double> predefined_value(const PredefinedParameter& row,
+                                                       ValueFault& fault) const;
   void keep_globals();
   // What the Fanuc dialect has under a number; nullptr for others than #1 to #33 and #100 to #199.
   [[nodiscard]] double* variable_in_memory(double number);

@@ -97,7 +97,8 @@ void ValueInstructions::load_parameter(const Instruction& instruction) {
     case Op::named_parameter_exists:
       return stack.push(value_of(parameters_.is_set(instruction.operand)));
     case Op::predefined_parameter:
-      return stack.push(value_of(parameters_.predefined(instruction.operand)));
+      value = parameters_.predefined(instruction.operand, fault);
+      break;
     case Op::r_parameter:
       return stack.push(value_of(parameters_.r_parameter(instruction.operand)));
     default:

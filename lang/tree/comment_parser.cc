@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "lang/text/limits.h"
-#include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
 namespace {
@@ -124,21 +123,15 @@ bool parse_comment(TokenCursor& cursor, IsoBlock& block) {
   }
   const std::string word = folded(trimmed(comment->substr(0, comma)));
   const std::string_view text = comment->substr(comma + 1);
+  // (LOGOPEN,file), (LOGAPPEND,file) and (LOGCLOSE) say nothing: the log is open always.
   if (word == "msg") {
     block.comments.push_back(
         {Message::Kind::message, string_expression(std::string(trimmed(text)), span)});
-  } else if (word == "debug" || word == "print") {
+  } else if (word == "debug" || word == "print" || word == "log") {
     const auto kind = word == "debug" ? Message::Kind::message : Message::Kind::log;
     block.comments.push_back({kind, comment_text(trimmed(text), span)});
-  } else if (word == "log" || word == "logopen" || word == "logclose" || word == "logappend" ||
-             word == "probeopen" || word == "probeclose") {
-    cursor.reporter()
-        .error(
-            "E2090", {span.offset, static_cast<std::uint32_t>(comment->size() + 2), span.line},
-            "(" + std::string(comment->substr(0, comma)) + ",...) is not supported in this release",
-            "active comment")
-        .help.emplace_back(find_unsupported_word("(LOG,...)")->instead);
-    return false;
+  } else if (word == "abort" && !cursor.source().rules().is_fanuc()) {
+    block.comments.push_back({Message::Kind::message, comment_text(trimmed(text), span), true});
   }
   return true;
 }

@@ -29,6 +29,22 @@ std::string without_leading_zeros(const std::string& digits) {
   return digits.substr(first);
 }
 
+// A capital O before which there are comments and frame marks only: `O<name>` alone is the title of
+// a program, as in LinuxCNC.
+bool is_title_of_text(const Source& source, std::size_t offset) {
+  if (source.text()[offset] != 'O') return false;
+  std::string_view before = source.text().substr(source.begin(), offset - source.begin());
+  while (!before.empty()) {
+    const std::size_t end = std::min(before.find_first_of("\r\n"), before.size());
+    const std::size_t first = before.substr(0, end).find_first_not_of(" \t");
+    if (first != std::string_view::npos && first < end) {
+      if (std::string_view("(;%").find(before[first]) == std::string_view::npos) return false;
+    }
+    before.remove_prefix(std::min(end + 1, before.size()));
+  }
+  return true;
+}
+
 }  // namespace
 
 // The label of a line, from `at` on, which is left behind it.
@@ -124,7 +140,9 @@ MaybeStatement OLineParser::parse_o_line() {
 // O100 alone, or O100 (title): a program of that number begins.
 MaybeStatement OLineParser::parse_program_number(const OLineAhead& line, const Span& span) {
   scanner_.advance(line.length);
+  const bool is_title = is_title_of_text(cursor_.source(), span.offset);
   if (!finish_o_line()) return std::nullopt;
+  if (!line.numbered && is_title) return statement_of(Compound{});
   if (!line.numbered) {
     reporter_.error("E2001", span, "an O-line with a name needs a keyword", "no keyword")
         .help.push_back("write e.g. `O<name> sub` or `O<name> call`");

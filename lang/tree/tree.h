@@ -114,6 +114,7 @@ struct ParameterSetting {
 struct ActiveComment {
   Message::Kind kind = Message::Kind::message;
   Expression text;
+  bool aborts = false;  // (ABORT,...): the text is that of an alarm which ends the program
 };
 
 struct IsoBlock {

@@ -17,7 +17,6 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G87", "boring from behind", "use G1 with M19"},
     {"G88", "boring, out by hand", "use G1 and M0 in the bottom of the hole"},
     {",A", "a line by its angle", "write the end of the line with both coordinates"},
-    {"(LOG,...)", "a line of a log file", "use `log (text);`"},
 });
 
 }  // namespace

@@ -19,8 +19,10 @@ O100 call
 ; expect: rapid X1 Y2
 X#<_call_level>
 ; expect: rapid X0
+X#<_vmajor> Y[EXISTS[#<_vminor>]]
+; expect: rapid X2.9 Y1
 #5221=1
-; expect error 22:1 E3013
+; expect error 24:1 E3013
 M30
 O100 sub
   X#<_call_level> Y[#<_call_level> + #<_task>]
