@@ -2,7 +2,12 @@
 """Runs `stanok check` over folders of programs and counts what becomes of them, dialect by dialect.
 
     tools/check-programs.py build/release/bin/stanok config/machines/mill3.toml --dialect fanuc FOLDER...
-    tools/check-programs.py ... --code-system A --show 3 FOLDER...
+    tools/check-programs.py ... --code-system A --declare M31 M33 --show 3 FOLDER...
+    tools/check-programs.py build/release/bin/stanok tests/peers/rs274/mill6.toml --dialect linuxcnc --peer FOLDER...
+
+With --peer each program also goes through rs274 of LinuxCNC (tests/peers/rs274), and the classes are: identical to the
+peer, different from it, accepted where the peer refuses, refused by both, and refused here alone. --declare names codes
+of the machine builder that a shop would have in [channel.codes].
 
 Each program is checked on its own, on the machine with the dialect given (the machine file is copied beside itself for
 that). Printed are: how many are accepted, and for each error code how many programs are refused with it first, with
@@ -16,7 +21,10 @@ import re
 import subprocess
 import sys
 import tempfile
+from pathlib import Path
 
+sys.dont_write_bytecode = True
+PEER = Path(__file__).resolve().parent.parent / "tests" / "peers" / "rs274"
 ENDINGS = (".nc", ".ngc", ".tap", ".eia", ".cnc", ".gcode", ".mpf", ".min", ".h", ".txt", ".pim")
 CODE = re.compile(r"^error\[([A-Z]\d+)\]: (.*)$", re.M)
 PLACE = re.compile(r"--> .*?:(\d+):(\d+)")
@@ -32,13 +40,17 @@ def programs_of(folders):
                     yield os.path.join(root, name)
 
 
-def machine_in_dialect(machine, dialect, code_system):
+def machine_in_dialect(machine, dialect, code_system, declared):
     """The machine file with the dialect of its first channel, in the same folder so that its paths hold."""
     with open(machine, encoding="utf-8") as file:
         text = file.read()
     keys = f'[[channel]]\ndialect = "{dialect}"\n'
     if code_system:
         keys += f'code_system = "{code_system}"\n'
+    if declared:
+        if "[channel.codes]" in text:
+            raise SystemExit(f"{machine} has [channel.codes] already: declare the codes there")
+        text += "\n[channel.codes]\n" + "".join(f'{code} = "before"\n' for code in declared)
     made = tempfile.NamedTemporaryFile("w", suffix=".toml", dir=os.path.dirname(os.path.abspath(machine)), delete=False)
     with made:
         made.write(text.replace("[[channel]]\n", keys, 1))
@@ -62,6 +74,34 @@ def check(stanok, machine, program, timeout):
     return error.group(1), line + error.group(2)
 
 
+def compare(stanok, machine, program, kind):
+    """The class of a program beside rs274: (class, first difference or what the refuser says)."""
+    sys.path.insert(0, str(PEER))
+    import canonical_calls
+    import stanok_records
+    from compare import first_difference
+    from events import without_standing_moves
+
+    program = Path(program).resolve()
+    with tempfile.TemporaryDirectory() as folder:
+        parameters = Path(folder) / "parameters.var"
+        parameters.write_text("5220\t1\n")
+        try:
+            theirs = canonical_calls.events_of(program, PEER / "mill6.tbl", parameters)
+        except canonical_calls.Refused as refusal:
+            return ("accepted, refused by the peer" if kind == "accepted" else "refused by both"), str(refusal)
+        except (canonical_calls.Unknown, subprocess.TimeoutExpired) as reason:
+            return "not compared", str(reason)[:200]
+    if kind != "accepted":
+        return "refused here alone", kind
+    try:
+        ours = stanok_records.events_of(stanok, program, Path(machine))
+    except canonical_calls.Refused as refusal:
+        return "refused here alone", str(refusal).split("\n")[0]
+    found = first_difference(without_standing_moves(ours), without_standing_moves(theirs))
+    return ("different", found) if found else ("identical", "")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("stanok")
@@ -71,13 +111,18 @@ def main():
     parser.add_argument("--code-system", choices=["A", "B", "C"])
     parser.add_argument("--show", type=int, default=2, help="examples of each class")
     parser.add_argument("--timeout", type=float, default=60.0)
+    parser.add_argument("--declare", nargs="+", default=[], metavar="CODE", help="codes of the machine builder")
+    parser.add_argument("--peer", action="store_true", help="compare with rs274 of LinuxCNC")
     parser.add_argument("--json", action="store_true", help="print the class of each program as JSON")
     options = parser.parse_args()
-    machine = machine_in_dialect(options.machine, options.dialect, options.code_system)
+    machine = machine_in_dialect(options.machine, options.dialect, options.code_system, options.declare)
     classes = collections.defaultdict(list)
     try:
         for program in programs_of(options.folders):
             kind, message = check(options.stanok, machine, program, options.timeout)
+            if options.peer:
+                kind, found = compare(options.stanok, machine, program, kind)
+                message = message or found
             classes[kind].append((program, message))
     finally:
         os.unlink(machine)
@@ -88,7 +133,7 @@ def main():
     print(f"{total} programs in the dialect {options.dialect} {options.code_system or ''}".rstrip())
     for kind, found in sorted(classes.items(), key=lambda item: -len(item[1])):
         print(f"  {len(found):5} {kind}")
-        for program, message in found[: options.show if kind != "accepted" else 0]:
+        for program, message in found[: options.show if kind not in ("accepted", "identical") else 0]:
             print(f"          {program}: {message}")
 
 

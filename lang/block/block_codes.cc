@@ -151,14 +151,19 @@ std::optional<BlockFault> find_axis_user(BlockCodes& codes, const TextRules& rul
   return std::nullopt;
 }
 
+// The cycles of holes. In the dialect of Fanuc each may say P and Q, which stay for the cycles to
+// come: drilling data are modal until G80 (operator's manual B-63944EN, 13.1).
+bool drills(CodeNumber code) {
+  return code == g(73) || code == g(74) || code == g(76) || (code >= g(81) && code <= g(89));
+}
+
 }  // namespace
 
 LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRules& rules) {
   LetterSet words = code.words;
   if (code.letter != 'G') return words;
-  const bool pecks = code.number == g(73) || code.number == g(83);
   const bool on_lathe = kind != nullptr && *kind == ChannelKind::lathe;
-  if (rules.is_fanuc() && pecks) words |= letters_of("P");
+  if (rules.is_fanuc() && drills(code.number)) words |= letters_of("PQ");
   if (!on_lathe) return words;
   if (code.number == g(73)) words |= letters_of("PUW");
   if (code.number == g(76)) words |= letters_of("AD");

@@ -17,6 +17,7 @@ auto order_of(const NumberedBlock& block) {
 
 void BlockIndex::read(const CompiledFile& file) {
   read_ = true;
+  takes_next_ = file.source.rules().is_fanuc();
   programs_ = {0};
   for (const auto& [number, position] : file.numbered_programs) programs_.push_back(position);
   std::sort(programs_.begin(), programs_.end());
@@ -110,10 +111,18 @@ BlockIndex::Found BlockIndex::find(int number, std::uint32_t from) const {
            block->program == std::get<1>(wanted);
   };
   if (!is_meant(found)) return {};
-  if (is_meant(std::next(found))) return {&*found, Missing::twice, std::next(found)->line};
-  if (from < found->loop_begin || from >= found->loop_end)
-    return {&*found, Missing::inside_loop, 0};
-  return {&*found, Missing::none, 0};
+  auto meant = found;
+  if (is_meant(std::next(found))) {
+    if (!takes_next_) return {&*found, Missing::twice, std::next(found)->line};
+    meant = std::partition_point(found, blocks_.end(), [&](const NumberedBlock& block) {
+      return order_of(block) < std::tuple(number, program_of(from) + 1, 0U) &&
+             block.position <= from;
+    });
+    if (!is_meant(meant)) meant = found;
+  }
+  if (from < meant->loop_begin || from >= meant->loop_end)
+    return {&*meant, Missing::inside_loop, 0};
+  return {&*meant, Missing::none, 0};
 }
 
 }  // namespace stanok::lang

@@ -1,7 +1,9 @@
 // Where the block numbers of a file stand: what GOTO and M99 P go to.
 //
 // Made once, when a program that jumps is loaded. A number means a block of the numbered program in
-// which the jump stands (from its O to the next one). Nothing jumps into a loop from outside.
+// which the jump stands (from its O to the next one). Nothing jumps into a loop from outside. Of
+// blocks with one number the dialects of Fanuc take the first behind the jump, or else the first of
+// the program; elsewhere such a jump is an error.
 #pragma once
 
 #include <cstddef>
@@ -52,6 +54,7 @@ class BlockIndex {
   [[nodiscard]] std::uint32_t program_of(std::uint32_t position) const;
 
   bool read_ = false;
+  bool takes_next_ = false;              // of blocks with one number
   std::vector<std::uint32_t> programs_;  // where numbered programs begin, ascending
   std::vector<NumberedBlock> blocks_;    // by number, program and line
 };

@@ -16,7 +16,9 @@ bool defines_functions(const CompiledFile& file) {
 // O-lines, also those that the parser makes into ordinary statements.
 bool is_o_line(std::string_view line) {
   const std::size_t start = std::min(line.find_first_not_of(" \t"), line.size());
-  if (start + 1 >= line.size() || upper_case(line[start]) != 'O') return false;
+  if (start + 1 >= line.size()) return false;
+  if (line[start] == ':') return is_digit(line[start + 1]);
+  if (upper_case(line[start]) != 'O') return false;
   return is_digit(line[start + 1]) || line[start + 1] == '<' || line[start + 1] == '[';
 }
 

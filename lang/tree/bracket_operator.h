@@ -111,4 +111,18 @@ inline constexpr auto macro_functions = std::to_array<BracketFunction>({{"asin",
   return nullptr;
 }
 
+// The row of the operator with which a folded name begins: it is the name, or a function follows
+// without a blank, as in `#1LEABS[#2]`. Or nullptr.
+[[nodiscard]] constexpr const BracketOperator* find_leading_operator(std::string_view name,
+                                                                     const TextRules& rules = {}) {
+  if (const BracketOperator* const whole = find_bracket_operator(name, rules)) return whole;
+  for (const BracketOperator& row : bracket_operators) {
+    if (!name.starts_with(row.name)) continue;
+    const std::string_view behind = name.substr(row.name.size());
+    if (find_bracket_function(behind, rules) != nullptr)
+      return find_bracket_operator(row.name, rules);
+  }
+  return nullptr;
+}
+
 }  // namespace stanok::lang

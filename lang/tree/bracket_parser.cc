@@ -166,7 +166,7 @@ MaybeExpression BracketParser::parse_bracket_binary(int level) {
     scanner_.skip_blanks(LineEnds::significant);
     const Token token = scanner_.peek(LineEnds::significant);
     const BracketOperator* const found =
-        find_bracket_operator(operator_name(token), source_.rules());
+        find_leading_operator(operator_name(token), source_.rules());
     if (found == nullptr || found->level != level) break;
     if (compared && source_.rules().is_fanuc() && refuse_chain(token)) return std::nullopt;
     if (!cursor_.count_operator(token.span)) return std::nullopt;

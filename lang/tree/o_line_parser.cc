@@ -47,6 +47,10 @@ bool is_title_of_text(const Source& source, std::size_t offset) {
 
 }  // namespace
 
+bool is_program_letter(char c, const TextRules& rules) {
+  return upper_case(c) == 'O' || (c == ':' && rules.is_fanuc());
+}
+
 // The label of a line, from `at` on, which is left behind it.
 bool OLineParser::read_label(std::size_t& at, OLineAhead& line) const {
   const auto character = [&] { return scanner_.character(at); };
@@ -77,7 +81,7 @@ std::optional<OLineParser::OLineAhead> OLineParser::o_line_ahead() const {
     for (++at; is_digit(character()) || character() == '.';) ++at;
     skip_blanks();
   }
-  if (upper_case(character()) != 'O') return std::nullopt;
+  if (!is_program_letter(character(), cursor_.source().rules())) return std::nullopt;
   ++at;
   OLineAhead line;
   if (!read_label(at, line)) return std::nullopt;

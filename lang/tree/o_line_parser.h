@@ -15,6 +15,10 @@
 
 namespace stanok::lang {
 
+// O, or the colon that stands for it in ISO code of Fanuc controls. Source: operator's manual
+// B-63944EN, 13.1.
+[[nodiscard]] bool is_program_letter(char c, const TextRules& rules);
+
 class OLineParser {
  public:
   // All must outlive this.

@@ -270,7 +270,8 @@ MaybeStatement Parser::parse_kind() {
   const char next = scanner().character(1);
   if (c == '#') return is_name_start(next) ? directives_.parse_directive() : iso_.parse_iso();
   const bool o_line = is_digit(next) || next == '<' || next == '[' || next == '#';
-  if (upper_case(c) == 'O' && o_line) return o_lines_.parse_o_line();
+  const bool program_letter = is_program_letter(c, cursor_.source().rules());
+  if (program_letter && (c == ':' ? is_digit(next) : o_line)) return o_lines_.parse_o_line();
   if (c == '{') return statements_.parse_compound();
   if (c == '[' && cursor_.source().rules().is_fanuc())
     return macro_lines_.parse_conditional_return();

@@ -13,8 +13,8 @@
 namespace stanok::lang {
 namespace {
 
-// The longest names of operators (mod, xor) and functions (round) that are computed here.
-constexpr std::size_t name_length_max = 5;
+// The longest names of operators (mod, xor) and functions (exists), one behind the other.
+constexpr std::size_t name_length_max = 9;
 
 // A name of few letters, folded.
 class ShortName {
@@ -83,7 +83,7 @@ const BracketOperator* operator_of(std::string_view text, const TextRules& rules
   std::size_t length = 0;
   while (length < text.size() && is_name_start(text[length])) ++length;
   return length == 0 ? nullptr
-                     : find_bracket_operator(ShortName(text.substr(0, length)).text(), rules);
+                     : find_leading_operator(ShortName(text.substr(0, length)).text(), rules);
 }
 
 }  // namespace
