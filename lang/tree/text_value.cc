@@ -153,7 +153,7 @@ TextValues::MaybeValue TextValues::value() {
     ++at_;
     skip_blanks();
     result = value();
-    if (result && sign == '-') *result = -*result;
+    if (result && sign == '-') *result = without_sign_of_zero(-*result);
   } else {
     result = unsigned_value();
   }

@@ -1,5 +1,7 @@
 // Values computed from the text of a line are those that the compiled block computes: the same
 // blocks, plain and with a `/* */` behind them, which only the compiler reads.
+#include <cmath>
+#include <initializer_list>
 #include <random>
 
 #include "lang/program/program.h"
@@ -22,12 +24,13 @@ class Writer {
       case 2:
         return below(2) == 0 ? "#<depth>" : number();
       case 3:
-        return pick({"-", "+", "- "}) + value(depth - 1);
+        return joined({pick({"-", "+", "- "}), value(depth - 1)});
       case 4:
-        return pick({"SIN", "cos", "TAN", "SQRT", "ABS", "round", "FIX", "FUP", "LN", "EXP"}) +
-               bracket(depth);
+        return joined(
+            {pick({"SIN", "cos", "TAN", "SQRT", "ABS", "round", "FIX", "FUP", "LN", "EXP"}),
+             bracket(depth)});
       case 5:
-        return "ATAN" + bracket(depth) + pick({"/", " / "}) + bracket(depth);
+        return joined({"ATAN", bracket(depth), pick({"/", " / "}), bracket(depth)});
       case 6:
         return "#" + bracket(depth);
       default:
@@ -38,10 +41,16 @@ class Writer {
     std::string text = "[" + value(depth - 1);
     for (int more = below(3); more > 0; --more) {
       text += pick({"+", " - ", "*", " / ", " ** ", " MOD ", " EQ ", " ne ", " LT ", " and ",
-                    " OR ", " XOR ", "-", "GE"}) +
-              value(depth - 1);
+                    " OR ", " XOR ", "-", "GE"});
+      text += value(depth - 1);
     }
     return text + "]";
+  }
+  // The parts of a list are made from left to right, those of a sum in the order of the compiler.
+  static std::string joined(std::initializer_list<std::string> parts) {
+    std::string text;
+    for (const std::string& part : parts) text += part;
+    return text;
   }
   std::string number() { return pick({"1", "2.5", ".5", "0", "3.", "12", "0.001", "7", "100"}); }
   // `text` with one character left out, doubled or exchanged.
@@ -92,8 +101,8 @@ TEST_F(TextValue, IsThatOfTheCompiledBlock) {
   int computed = 0;
   for (int turn = 0; turn < 3000; ++turn) {
     // Settings behind the words: of two faults both report the first.
-    std::string block = "G1 X" + writer.value(3) + " Y" + writer.value(2) +
-                        " #2=" + writer.value(3) + " #<depth> = " + writer.value(1);
+    std::string block = Writer::joined({"G1 X", writer.value(3), " Y", writer.value(2),
+                                        " #2=", writer.value(3), " #<depth> = ", writer.value(1)});
     if (turn % 3 == 0) block = writer.damaged(block);
     const Outcome plain = outcome(block, "");
     const Outcome compiled = outcome(block, " /* */");
@@ -103,14 +112,26 @@ TEST_F(TextValue, IsThatOfTheCompiledBlock) {
     computed += plain.code.empty() ? 1 : 0;
     // Faults of the text are found by the compiler in both.
     if (!plain.code.starts_with("E30")) continue;
-    // The compiler counts the brackets around a value to it.
+    // The compiler counts the brackets around a value to it, and the sign of a parameter.
     ASSERT_GE(plain.column, compiled.column) << block << "\nseed " << seed;
     for (int column = compiled.column; column < plain.column; ++column) {
       const char between = block[static_cast<std::size_t>(column) - 1];
-      ASSERT_TRUE(between == '[' || between == ' ') << block;
+      ASSERT_TRUE(between == '[' || between == ' ' || between == '#') << block;
     }
   }
   EXPECT_GT(computed, 500) << "too few blocks had values";
+}
+
+// A zero with a sign points the other way for ATAN: there is none.
+TEST_F(TextValue, HasOneZero) {
+  const std::string block = "G1 X[ATAN[-0]/[-7]] Y[ATAN[- SQRT[0]]/[-7]] #2=-0";
+  const Outcome plain = outcome(block, "");
+  ASSERT_EQ(plain.code, "");
+  ASSERT_EQ(plain.ends.size(), 8u);
+  EXPECT_EQ(plain.ends[0], 180.0);
+  EXPECT_EQ(plain.ends[1], 180.0);
+  EXPECT_FALSE(std::signbit(plain.ends[5]));
+  EXPECT_EQ(plain.ends, outcome(block, " /* */").ends);
 }
 
 TEST_F(TextValue, NeedsNoMemoryPerBlock) {
