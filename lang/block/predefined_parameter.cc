@@ -93,12 +93,24 @@ double always(const ParameterView&) {
   return 1.0;
 }
 
+// Programs of LinuxCNC ask which version they run on; its meaning is that of 2.9 here
+// (docs/reference/language.md).
+double linuxcnc_version(const ParameterView&) {
+  return 2.9;
+}
+
+double linuxcnc_revision(const ParameterView&) {
+  return 0.0;
+}
+
 constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_line", [](const ParameterView& view) { return static_cast<double>(view.line); }},
     {"_call_level", [](const ParameterView& view) { return static_cast<double>(view.call_level); }},
     {"_value", [](const ParameterView& view) { return view.value; }},
     {"_value_returned", [](const ParameterView& view) { return view.value_returned ? 1.0 : 0.0; }},
     {"_task", always},
+    {"_vmajor", linuxcnc_version},
+    {"_vminor", linuxcnc_revision},
     {"_motion_mode", code_of<Group::motion>},
     {"_plane", code_of<Group::plane>},
     {"_ccomp", code_of<Group::radius_compensation>},

@@ -14,7 +14,7 @@ constexpr std::size_t shared_text_max = 255;
 
 }  // namespace
 
-// Table, page and axis; an axis the channel has not is -1.
+// Table, page and axis; "R" is the rotation, an axis the channel has not is -1.
 bool ChannelRequests::name_offset(std::span<const Value> arguments, Request& request,
                                   double& unit) {
   if (!is_integer(arguments[0].number) || !is_integer(arguments[1].number)) {
@@ -23,7 +23,9 @@ bool ChannelRequests::name_offset(std::span<const Value> arguments, Request& req
   }
   request.channel = static_cast<int>(std::lround(arguments[0].number));
   request.number = static_cast<int>(std::lround(arguments[1].number));
-  request.index = state_.channel_words.axis_called(text_of(arguments[2])).number();
+  const std::string_view axis = text_of(arguments[2]);
+  request.index = state_.channel_words.axis_called(axis).number();
+  if (request.index < 0 && folded(axis) == "r") request.index = rotation_of_offset;
   const bool is_length = request.index >= 0 && !state_.channel.axes[request.index].rotary;
   unit = is_length ? state_.length_unit() : 1.0;
   return true;

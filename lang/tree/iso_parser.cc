@@ -390,6 +390,19 @@ bool IsoParser::add_word(IsoBlock& block, IsoWord word) {
   return true;
 }
 
+// Whether a name of high-level statements stands here: `$` and a name, or two letters or more that
+// are no function of brackets.
+bool IsoParser::begins_variable() const {
+  const char c = scanner_.character();
+  if (c == '$') return is_name_start(scanner_.character(1));
+  if (!is_name_start(c)) return false;
+  std::string name;
+  while (is_name_start(scanner_.character(name.size())) ||
+         is_digit(scanner_.character(name.size())))
+    name += scanner_.character(name.size());
+  return name.size() > 1 && is_name_start(name[1]) && !is_bracket_function(folded(name));
+}
+
 bool IsoParser::parse_parameter_setting(IsoBlock& block) {
   auto target = brackets_.parse_parameter_reference();
   if (!target) return false;
@@ -400,7 +413,8 @@ bool IsoParser::parse_parameter_setting(IsoBlock& block) {
   }
   scanner_.advance(1);
   scanner_.skip_blanks(LineEnds::significant);
-  auto value = brackets_.parse_right_side();
+  auto value = begins_variable() ? expressions_.parse_expression(LineEnds::significant)
+                                 : brackets_.parse_right_side();
   if (!value) return false;
   block.settings.push_back({std::move(*target), std::move(*value)});
   return true;

@@ -41,6 +41,7 @@ class IsoParser {
   bool parse_plain_value(IsoWord& word);
   bool apply_aliases(IsoBlock& block);
   bool parse_parameter_setting(IsoBlock& block);
+  [[nodiscard]] bool begins_variable() const;
   bool add_word(IsoBlock& block, IsoWord word);
   bool translate_code(IsoWord& word);
   static int argument_set(const IsoBlock& block, const IsoWord& word);
