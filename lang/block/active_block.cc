@@ -8,8 +8,9 @@ namespace stanok::lang {
 
 BlockFault& ActiveBlock::fail(std::string_view code, WordName word, std::string message,
                               std::string label) {
-  if (!fault) fault = fault_at(code, std::move(word), std::move(message), std::move(label));
-  return *fault;
+  std::optional<BlockFault>& told = fault ? later_fault : fault;
+  told = fault_at(code, std::move(word), std::move(message), std::move(label));
+  return *told;
 }
 
 std::optional<int> ActiveBlock::integer(char letter, int smallest, int largest) {

@@ -108,7 +108,8 @@ struct ActiveBlock : BlockSurroundings {
 
   BlockFlow flow;
 
-  std::optional<BlockFault> fault;
+  std::optional<BlockFault> fault;        // the first one, which is told
+  std::optional<BlockFault> later_fault;  // so that help for it does not go to the first one
 
   // Records why the block fails; the first reason stands. The result may be completed.
   BlockFault& fail(std::string_view code, WordName word, std::string message,

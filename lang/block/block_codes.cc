@@ -7,25 +7,26 @@
 namespace stanok::lang {
 namespace {
 
+// Names are written for faults alone: this is done for each code of each block.
 std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
-  const std::string name = code_text(code.letter, code.number);
+  const auto name = [&code] { return code_text(code.letter, code.number); };
   const WordName word{code.letter, code.number, {}};
   if (kind == ChannelKind::master && code.availability != Availability::everywhere) {
-    return fault_at("E4009", word, "`" + name + "` on a master channel",
+    return fault_at("E4009", word, "`" + name() + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }
   const bool bores = code.letter == 'G' && (code.number == g(87) || code.number == g(88));
   if (kind != ChannelKind::lathe && bores) {
-    BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
+    BlockFault fault = fault_at("E2090", word, "`" + name() + "` is not supported in this release",
                                 code.number == g(87) ? "back boring" : "boring, manual out");
-    fault.help.emplace_back(find_unsupported_word(name)->instead);
+    fault.help.emplace_back(find_unsupported_word(name())->instead);
     return fault;
   }
   if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
-    return fault_at("E4009", word, "`" + name + "` does not exist on a lathe channel", "");
+    return fault_at("E4009", word, "`" + name() + "` does not exist on a lathe channel", "");
   }
   if (kind != ChannelKind::lathe && code.availability == Availability::lathe_only) {
-    return fault_at("E4009", word, "`" + name + "` exists on lathe channels only", "");
+    return fault_at("E4009", word, "`" + name() + "` exists on lathe channels only", "");
   }
   return std::nullopt;
 }
@@ -83,21 +84,21 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   if (number == code_computed_later) return std::nullopt;
   const Code* row = row_of(letter, number, words);
   if (row == nullptr) row = dialect.output(letter, number);
-  const std::string name = code_text(letter, number);
+  const auto name = [letter, number] { return code_text(letter, number); };
   const WordName word{letter, number, {}};
   if (row == nullptr) {
     BlockFault fault =
-        fault_at("E4004", word, "unknown code `" + name + "`", "there is no such code");
-    fault.help.push_back("a machine builder's code gets its meaning in the machine file: " + name +
-                         " = \"cycles/name.nc\"" +
-                         (letter == 'M' ? " or \"before\", \"after\"" : "") +
-                         " in [channel.codes]");
+        fault_at("E4004", word, "unknown code `" + name() + "`", "there is no such code");
+    fault.help.push_back(
+        "a machine builder's code gets its meaning in the machine file: " + name() +
+        " = \"cycles/name.nc\"" + (letter == 'M' ? " or \"before\", \"after\"" : "") +
+        " in [channel.codes]");
     return fault;
   }
   if (row->action == CodeAction::unsupported) {
-    BlockFault fault = fault_at("E2090", word, "`" + name + "` is not supported in this release",
+    BlockFault fault = fault_at("E2090", word, "`" + name() + "` is not supported in this release",
                                 std::string(row->title));
-    if (const UnsupportedWord* unsupported = find_unsupported_word(name))
+    if (const UnsupportedWord* unsupported = find_unsupported_word(name()))
       fault.help.emplace_back(unsupported->instead);
     return fault;
   }
@@ -110,7 +111,7 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
       if ((other->groups & row->groups) == 0) continue;
       return fault_at(
           "E4002", word,
-          "`" + code_text(other->letter, other->number) + "` and `" + name + "` in one block",
+          "`" + code_text(other->letter, other->number) + "` and `" + name() + "` in one block",
           "both belong to the same modal group");
     }
   }

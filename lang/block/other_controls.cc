@@ -12,40 +12,71 @@ enum class Channels : std::uint8_t { all, lathes };
 
 // A code without axis words of its own, which leaves those of its block to the active motion; on
 // another control it takes them.
+// Where a code or word means something else, and what.
+struct OtherMeaning {
+  char system = 0;  // code system of Fanuc lathes, A or C; 0: `text` says which control
+  std::string_view text;
+};
+
 struct TakesAxisWordsElsewhere {
   CodeNumber code;
   Channels channels;
-  std::string_view meaning;  // there
+  OtherMeaning meaning;
   std::string_view remedy;
 };
 
 constexpr TakesAxisWordsElsewhere takes_axis_words[] = {
-    {g(20), Channels::lathes, "in code system C of Fanuc lathes it is a turning cycle",
+    {g(20),
+     Channels::lathes,
+     {'C', "it is a turning cycle"},
      "the cycle is `G77`; to move, write `G0` or `G1` into the block"},
-    {g(21), Channels::lathes, "in code system C of Fanuc lathes it is a thread cycle",
+    {g(21),
+     Channels::lathes,
+     {'C', "it is a thread cycle"},
      "the cycle is `G78`; to move, write `G0` or `G1` into the block"},
-    {g(28, 1), Channels::all, "on other controls it goes there",
+    {g(28, 1),
+     Channels::all,
+     {0, "on other controls it goes there"},
      "`G28` goes to a reference point; to move, write `G0` or `G1` into the block"},
-    {g(30, 1), Channels::all, "on Fanuc controls it goes to a floating reference point",
+    {g(30, 1),
+     Channels::all,
+     {0, "on Fanuc controls it goes to a floating reference point"},
      "`G30` goes to a reference point; to move, write `G0` or `G1` into the block"},
-    {g(50), Channels::lathes, "in code system A of Fanuc lathes it sets the coordinates",
+    {g(50),
+     Channels::lathes,
+     {'A', "it sets the coordinates"},
      "set them with `G92`; to move, write `G0` or `G1` into the block"},
-    {g(60), Channels::all, "on Fanuc mills it is a positioning from one side",
+    {g(60),
+     Channels::all,
+     {0, "on Fanuc mills it is a positioning from one side"},
      "write `G0` or `G1` into the block"},
-    {g(90), Channels::lathes, "in code system A of Fanuc lathes it is a turning cycle",
+    {g(90),
+     Channels::lathes,
+     {'A', "it is a turning cycle"},
      "the cycle is `G77`; to move, write `G0` or `G1` into the block"},
-    {g(92, 1), Channels::all, "on Fanuc controls it sets the coordinates",
+    {g(92, 1),
+     Channels::all,
+     {0, "on Fanuc controls it sets the coordinates"},
      "set them with `G92`; to move, write `G0` or `G1` into the block"},
-    {g(94), Channels::lathes, "in code system A of Fanuc lathes it is a facing cycle",
+    {g(94),
+     Channels::lathes,
+     {'A', "it is a facing cycle"},
      "the cycle is `G79`; to move, write `G0` or `G1` into the block"},
 };
 
-BlockFault two_meanings(WordName word, std::string message, std::string_view meaning,
+BlockFault two_meanings(WordName word, std::string message, const OtherMeaning& meaning,
                         std::string_view remedy) {
   BlockFault fault =
       fault_at("E4016", std::move(word), std::move(message), "it is not clear what is meant");
-  fault.notes.push_back({std::string(meaning), {}});
+  const std::string system(1, meaning.system);
+  const std::string where =
+      meaning.system == 0 ? "" : "in code system " + system + " of Fanuc lathes ";
+  fault.notes.push_back({where + std::string(meaning.text), {}});
   fault.help.emplace_back(remedy);
+  if (meaning.system != 0)
+    fault.help.push_back(
+        "a program that is written for it says so in its first line: `(dialect fanuc " + system +
+        ")`");
   return fault;
 }
 
@@ -77,7 +108,7 @@ std::optional<BlockFault> speed_limit_of_a_lathe(const BlockMeaning& block) {
         [](const NamedWord& word) { return spindle_of_indexed_speed(word).has_value(); });
     if (!indexed && (lathe || !block.words.has('S'))) continue;
     return two_meanings(code_word(code), "`" + code_text('G', code) + "` with a spindle speed",
-                        "on lathes it limits the speed of `G96`",
+                        {0, "on lathes it limits the speed of `G96`"},
                         lathe ? "limit the speed with `S` alone, e.g. `G92 S2500`"
                               : "the limit is D of `G96`; set a speed in a block of its own");
   }
@@ -91,16 +122,16 @@ std::optional<BlockFault> code_of_lathes(const BlockMeaning& block) {
     return two_meanings(
         code_word(code), "`" + code_text('G', code) + "` means nothing on a lathe channel",
         code == g(98)
-            ? "in code system A of Fanuc lathes it is the feed per minute, elsewhere a "
-              "return level of drilling cycles"
-            : "in code system A of Fanuc lathes it is the feed per revolution, elsewhere a "
-              "return level of drilling cycles",
+            ? OtherMeaning{'A',
+                           "it is the feed per minute, elsewhere a return level of drilling cycles"}
+            : OtherMeaning{'A',
+                           "it is the feed per revolution, elsewhere a return level of drilling "
+                           "cycles"},
         code == g(98) ? "the feed per minute is `G94`" : "the feed per revolution is `G95`");
   }
   if (block.words.g.has(g(92)) && block.has_axis_words && block.words.has('F')) {
     return two_meanings({'F', -1, {}}, "`G92` with axis words and F on a lathe channel",
-                        "in code system A of Fanuc lathes it is a thread cycle, here it sets the "
-                        "coordinates of the point",
+                        {'A', "it is a thread cycle, here it sets the coordinates of the point"},
                         "the cycle is `G78`; to set coordinates, leave F out");
   }
   return std::nullopt;

@@ -15,6 +15,15 @@
 namespace stanok::lang {
 namespace {
 
+// Faults name codes as they are called here; the programmer knows those of the code system.
+void name_codes_as_written(BlockFault& fault, CodeSystem system) {
+  if (system == CodeSystem::b) return;
+  fault.message = text_as_written(fault.message, system);
+  fault.label = text_as_written(fault.label, system);
+  for (Note& note : fault.notes) note.text = text_as_written(note.text, system);
+  for (std::string& help : fault.help) help = text_as_written(help, system);
+}
+
 // The words of a block, with their spans, from its tree.
 std::vector<IsoWord> places_of_words(const Source& source, const Span& block_span) {
   auto block = Parser::parse_block(source, block_span);
@@ -304,6 +313,7 @@ void BlockRunner::fail(BlockFault fault) {
 // The block at fault may be one before the current block.
 void BlockRunner::fail_earlier(FaultOfCommand fault) {
   const Source& source = vm_.program().files[fault.origin.file]->source;
+  name_codes_as_written(fault.fault, source.rules().code_system);
   Diagnostic diagnostic =
       diagnostic_at(source, fault.fault.code, span_of_line(source, fault.origin.line),
                     std::move(fault.fault.message), std::move(fault.fault.label));
@@ -315,6 +325,7 @@ void BlockRunner::fail_earlier(FaultOfCommand fault) {
 
 Diagnostic diagnostic_of(BlockFault fault, const Source& source, const Span& block_span,
                          const std::vector<IsoWord>& places) {
+  name_codes_as_written(fault, source.rules().code_system);
   Span at = block_span;
   for (const IsoWord& word : places) {
     const bool same = word.name.letter == fault.word.letter && word.name.name == fault.word.name &&

@@ -1,6 +1,7 @@
 #include "lang/words/code_system.h"
 
 #include <array>
+#include <charconv>
 #include <span>
 
 namespace stanok::lang {
@@ -65,6 +66,40 @@ CodeNumber code_as_written(CodeNumber code, CodeSystem system) {
     if (row.here == code) return row.written;
   }
   return code;
+}
+
+std::string text_as_written(std::string_view text, CodeSystem system) {
+  std::string result;
+  const auto is_digit = [&](std::size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+  };
+  const auto is_in_word = [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || (c >= '0' && c <= '9');
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    const bool begins =
+        text[at] == 'G' && is_digit(at + 1) && (at == 0 || !is_in_word(text[at - 1]));
+    if (!begins) {
+      result += text[at++];
+      continue;
+    }
+    std::size_t end = at + 1;
+    while (is_digit(end)) ++end;
+    int whole = 0;
+    std::from_chars(text.data() + at + 1, text.data() + end, whole);
+    int tenths = 0;
+    if (end < text.size() && text[end] == '.' && is_digit(end + 1)) {
+      tenths = text[end + 1] - '0';
+      end += 2;
+    }
+    constexpr int whole_max = 999;
+    const bool is_code = whole <= whole_max && (end == text.size() || !is_in_word(text[end]));
+    const auto here = static_cast<CodeNumber>(is_code ? whole * 10 + tenths : 0);
+    const CodeNumber written = is_code ? code_as_written(here, system) : here;
+    result += written == here ? std::string(text.substr(at, end - at)) : code_text('G', written);
+    at = end;
+  }
+  return result;
 }
 
 bool translate_codes(CodeList& codes, CodeSystem system) {

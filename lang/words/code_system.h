@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "lang/contract/dialect.h"
@@ -16,6 +17,10 @@ namespace stanok::lang {
 
 // The code of `system` that is `code` here; `code` itself where it is called the same.
 [[nodiscard]] CodeNumber code_as_written(CodeNumber code, CodeSystem system);
+
+// A message that names codes by their names here, with those that the programmer knows: "`G77`
+// needs X and Z" is "`G90` needs X and Z" in system A.
+[[nodiscard]] std::string text_as_written(std::string_view text, CodeSystem system);
 
 // Translates all codes of a block; false when one does not exist in the system.
 [[nodiscard]] bool translate_codes(CodeList& codes, CodeSystem system);
