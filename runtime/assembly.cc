@@ -81,20 +81,24 @@ void Assembly::stop() {
 }
 
 const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorEvent> events,
-                                             std::span<const channels::SpindleSensors> sensors)
-    RT_SAFE {
+                                             std::span<const channels::SpindleSensors> sensors,
+                                             const Signals* touched) RT_SAFE {
   Parts& parts = *parts_;
   DriveSide& drives = *parts.drives;
   drives.read(events);
   const channels::CycleInputs inputs{.events = events,
                                      .feedback = drives.feedback(),
-                                     .signals = parts.inputs.read(drives, parts.output),
+                                     .signals = parts.inputs.read(drives, parts.output, touched),
                                      .sensors = sensors.empty() ? drives.sensors() : sensors};
   parts.machine.cycle(inputs, parts.output);
   if (parts.process_plant) parts.process_plant->advance(parts.output);
   drives.write(parts.output);
   if (parts.outputs) parts.outputs->note(parts.output);
   return parts.output;
+}
+
+double Assembly::position_of(int axis) const RT_SAFE {
+  return parts_->drives->position_of(axis, parts_->output);
 }
 
 const ProcessPlant* Assembly::process_plant() const RT_SAFE {

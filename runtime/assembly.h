@@ -45,10 +45,14 @@ class Assembly {
   void stop();
 
   // One real-time cycle. The output stays valid until the next call.
-  // `sensors` of the spindles, where they do not come from the drives.
+  // `sensors` of the spindles, where they do not come from the drives. `touched`: digital inputs
+  // that are on because a simulated probe touches; nullptr: there is none.
   const channels::CycleOutput& cycle(std::span<const channels::OperatorEvent> events,
-                                     std::span<const channels::SpindleSensors> sensors = {})
-      RT_SAFE;
+                                     std::span<const channels::SpindleSensors> sensors = {},
+                                     const Signals* touched = nullptr) RT_SAFE;
+
+  // Where an axis of the machine stands before the next cycle.
+  [[nodiscard]] double position_of(int axis) const RT_SAFE;
 
   // The simulated cut, or nullptr.
   [[nodiscard]] const ProcessPlant* process_plant() const RT_SAFE;

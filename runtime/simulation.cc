@@ -43,6 +43,15 @@ config::MachineFile file_without_replaced_plant(const SimulationOptions& options
   return file;
 }
 
+// Of a machine that can probe, or those that are wanted anyway.
+std::shared_ptr<SimulatedWorkpieces> workpieces_of(const SimulationOptions& options) {
+  if (options.workpieces || !SimulatedWorkpieces::can_probe(options.file))
+    return options.workpieces;
+  const auto leave_untold = [](int, const std::string&, const std::string&) {};
+  return std::make_shared<SimulatedWorkpieces>(options.file, simulation::memory_default,
+                                               leave_untold);
+}
+
 channels::MachineOptions machine_options(const SimulationOptions& options,
                                          const std::function<bool()>& interrupted) {
   channels::MachineOptions chosen = setup_of(options).options;
@@ -62,6 +71,7 @@ class Simulation {
                    .machine = machine_options(options, interrupted),
                    .output_capacity = 0}),
         machine_(assembly_.machine()),
+        workpieces_(workpieces_of(options)),
         process_(options.file.machine.cycle_us * 1e-6),
         computing_steps_(options.file.machine.channels.size()),
         has_computed_(options.file.machine.channels.size()) {
@@ -136,16 +146,23 @@ class Simulation {
       events_.push_back(options_.events[next_event_++].event);
       events_.back().id = first_event_id + next_event_;
     }
+    const Signals* const touched = touched_inputs();
     if (is_timed(output_->cycle)) {
       const std::int64_t begin = thread_time_ns();
-      output_ = &assembly_.cycle(events_, sensors_now());
+      output_ = &assembly_.cycle(events_, sensors_now(), touched);
       result_.cycle_time.add(thread_time_ns() - begin);
     } else {
-      output_ = &assembly_.cycle(events_, sensors_now());
+      output_ = &assembly_.cycle(events_, sensors_now(), touched);
     }
+    if (workpieces_) workpieces_->observe(*output_);
     events_.clear();
     report_process();
     hand_on();
+  }
+
+  [[nodiscard]] const Signals* touched_inputs() {
+    if (!workpieces_) return nullptr;
+    return workpieces_->touched(*output_, [this](int axis) { return assembly_.position_of(axis); });
   }
 
   // Reports the first channel that has force control.
@@ -233,6 +250,7 @@ class Simulation {
   const std::vector<CycleObserver*>& observers_;
   Assembly assembly_;
   channels::Machine& machine_;
+  std::shared_ptr<SimulatedWorkpieces> workpieces_;  // nullptr: nothing is cut
   ProcessReport process_;
   channels::CycleOutput before_first_{};
   const channels::CycleOutput* output_ = &before_first_;

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "config/files/machine_file.h"
 #include "runtime/assembly.h"
 #include "runtime/run_setup.h"
+#include "runtime/workpiece/simulated_workpieces.h"
 
 namespace stanok::runtime {
 
@@ -45,6 +47,8 @@ struct SimulationOptions {
   std::vector<SensorRow> sensors;            // ascending times; instead of those of the drives
   DriveChoice drives = DriveChoice::ideal;   // or simulated
   double until_s = -1.0;                     // < 0: until all channels are idle
+  // What is cut and measured; nullptr: the run has its own where the machine can probe.
+  std::shared_ptr<SimulatedWorkpieces> workpieces;
 };
 
 struct SimulationResult {

@@ -9,7 +9,8 @@ namespace {
 
 constexpr int steps_max = 1'000'000;
 
-// Calls visit(ray, from, to) for every ray with material that the body covers a stretch of.
+// Calls visit(ray, from, to) for every ray with material that the body covers a stretch of, until
+// it returns false.
 template <class Visitor>
 void visit_covered(const Material& material, const Body& body, const ToolPlace& place, int axis,
                    const Bounds& bounds, Visitor&& visit) {
@@ -33,7 +34,8 @@ void visit_covered(const Material& material, const Body& body, const ToolPlace& 
       if (!family.may_meet(ray, low, high)) continue;
       double from = 0.0;
       double to = 0.0;
-      if (section.meet(grid.middle(first_axis, first), v, from, to)) visit(ray, from, to);
+      if (!section.meet(grid.middle(first_axis, first), v, from, to)) continue;
+      if (!visit(ray, from, to)) return;
     }
   }
 }
@@ -70,6 +72,7 @@ double remove(Material& material, const Body& body, const ToolPlace& place) {
     visit_covered(material, body, place, axis, bounds,
                   [&](std::size_t ray, double from, double to) {
                     length += material.subtract(axis, ray, from, to);
+                    return true;
                   });
     volume += length * material.section(axis);
   }
@@ -84,12 +87,29 @@ double covered(const Material& material, const Body& body, const ToolPlace& plac
   for (int axis = 0; axis < 3; ++axis) {
     double length = 0.0;
     const RayFamily& family = material.family(axis);
-    visit_covered(
-        material, body, place, axis, bounds,
-        [&](std::size_t ray, double from, double to) { length += family.overlap(ray, from, to); });
+    visit_covered(material, body, place, axis, bounds,
+                  [&](std::size_t ray, double from, double to) {
+                    length += family.overlap(ray, from, to);
+                    return true;
+                  });
     volume += length * material.section(axis);
   }
   return volume / 3.0;
+}
+
+bool touches(const Material& material, const Body& body, const ToolPlace& place) {
+  const Bounds bounds = bounds_of(body, place);
+  if (!bounds.meets(material.bounds())) return false;
+  bool met = false;
+  for (int axis = 0; axis < 3 && !met; ++axis) {
+    const RayFamily& family = material.family(axis);
+    visit_covered(material, body, place, axis, bounds,
+                  [&](std::size_t ray, double from, double to) {
+                    met = family.overlap(ray, from, to) > 0.0;
+                    return !met;
+                  });
+  }
+  return met;
 }
 
 int steps_between(const ToolSolid& tool, const ToolPlace& from, const ToolPlace& to,

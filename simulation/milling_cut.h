@@ -12,6 +12,9 @@ double remove(Material& material, const Body& body, const ToolPlace& place);
 // What the body covers; mm³.
 [[nodiscard]] double covered(const Material& material, const Body& body, const ToolPlace& place);
 
+// Whether the body covers anything; ends with the first ray that it does.
+[[nodiscard]] bool touches(const Material& material, const Body& body, const ToolPlace& place);
+
 // Into how many equal steps the way from one place to the other falls. Between two positions a
 // flank leaves cusps, the higher the thinner the tool is there; a sharp edge that moves both along
 // and across the tool's axis leaves steps of d sin θ cos θ.

@@ -13,7 +13,8 @@ std::optional<ToolKind> tool_kind_named(std::string_view name) {
                                                             {"bull", ToolKind::bull},
                                                             {"drill", ToolKind::drill},
                                                             {"taper", ToolKind::taper},
-                                                            {"insert", ToolKind::insert}});
+                                                            {"insert", ToolKind::insert},
+                                                            {"probe", ToolKind::probe}});
   const auto* found = std::ranges::find(names, name, &std::pair<std::string_view, ToolKind>::first);
   if (found == names.end()) return std::nullopt;
   return found->second;

@@ -8,17 +8,18 @@
 
 namespace stanok::simulation {
 
-enum class ToolKind : std::uint8_t { flat, ball, bull, drill, taper, insert };
+// A probe touches with its ball and stylus and cuts nothing.
+enum class ToolKind : std::uint8_t { flat, ball, bull, drill, taper, insert, probe };
 
 [[nodiscard]] std::optional<ToolKind> tool_kind_named(std::string_view name);
 
 struct ToolShape {
   ToolKind kind = ToolKind::flat;
-  double radius = 0.0;          // of the cutter; insert: of the nose
+  double radius = 0.0;          // of the cutter; insert: of the nose; probe: of the ball
   double corner_radius = 0.0;   // bull; taper: of the rounded tip
   double flute_length = 0.0;    // 0: as far as the shank or holder begins; insert: of an edge
   double overhang = 0.0;        // out of the holder; 0: to the nose, less the holder
-  double shank_diameter = 0.0;  // 0: as the cutter
+  double shank_diameter = 0.0;  // 0: as the cutter; probe: 0.6 of the ball
   double holder_diameter = 0.0;
   double holder_length = 0.0;
   double length = 0.0;       // from tip to spindle nose

@@ -12,7 +12,8 @@ constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr double point_angle_default = 118.0;  // deg, of twist drills for steel (DIN 1414, type N)
 constexpr double parallel = 1e-9;
 constexpr double infinite = 1e30;
-constexpr double flute_default = 8.0;  // radii, where the table gives no length at all
+constexpr double flute_default = 8.0;   // radii, where the table gives no length at all
+constexpr double stylus_default = 0.6;  // of the radius of the ball, where the table says nothing
 
 ProfileSegment cylinder(double from, double to, double radius) {
   return {from, to, radius * radius, 0.0, 0.0};
@@ -53,7 +54,7 @@ Heights heights_of(const ToolShape& tool) {
   const bool has_holder = tool.holder_diameter > 0.0 && tool.holder_length > 0.0;
   double overhang = tool.overhang;
   if (overhang <= 0.0) overhang = tool.length - (has_holder ? tool.holder_length : 0.0);
-  heights.flute = tool.flute_length;
+  heights.flute = tool.kind == ToolKind::probe ? 2.0 * tool.radius : tool.flute_length;
   if (heights.flute <= 0.0) heights.flute = overhang > 0.0 ? overhang : flute_default * tool.radius;
   heights.shank = std::max(overhang, heights.flute);
   heights.holder = heights.shank + (has_holder ? tool.holder_length : 0.0);
@@ -81,6 +82,7 @@ std::vector<ProfileSegment> cutting_profile(const ToolShape& tool, double top, d
   std::vector<ProfileSegment> segments;
   const double r = tool.radius;
   double bottom = 0.0;
+  if (tool.kind == ToolKind::probe) return {sphere(0.0, 2.0 * r, r, r)};
   const bool is_ball = tool.kind == ToolKind::ball ||
                        (tool.kind == ToolKind::bull && tool.corner_radius >= tool.radius);
   if (is_ball) {
@@ -99,6 +101,11 @@ std::vector<ProfileSegment> cutting_profile(const ToolShape& tool, double top, d
   }
   if (top > bottom) segments.push_back(cylinder(bottom, top, r));
   return segments;
+}
+
+double shank_radius(const ToolShape& tool, double cutter_radius) {
+  if (tool.shank_diameter > 0.0) return tool.shank_diameter / 2.0;
+  return tool.kind == ToolKind::probe ? stylus_default * tool.radius : cutter_radius;
 }
 
 double radius_max(const ProfileSegment& segment) {
@@ -184,10 +191,11 @@ ToolSolid solid_of(const ToolShape& tool, double deviation, double shrunk) {
   for (const ProfileSegment& segment : cutting)
     solid.radius =
         std::max({solid.radius, segment.radius_at(segment.from), segment.radius_at(segment.to)});
+  if (tool.kind == ToolKind::probe) solid.radius = tool.radius;
   if (tool.kind == ToolKind::ball) solid.edge_radius = tool.radius;
   if (tool.kind == ToolKind::bull) solid.edge_radius = std::min(tool.corner_radius, tool.radius);
   add_body(solid, Part::cutting, std::move(cutting), shrunk);
-  const double shank = tool.shank_diameter > 0.0 ? tool.shank_diameter / 2.0 : solid.radius;
+  const double shank = shank_radius(tool, solid.radius);
   if (heights.shank > heights.flute)
     add_body(solid, Part::shank, {cylinder(heights.flute, heights.shank, shank)}, shrunk);
   if (heights.holder > heights.shank) {
@@ -195,6 +203,41 @@ ToolSolid solid_of(const ToolShape& tool, double deviation, double shrunk) {
              {cylinder(heights.shank, heights.holder, tool.holder_diameter / 2.0)}, shrunk);
   }
   return solid;
+}
+
+ToolSolid widened_probe(const ToolSolid& probe, double by) {
+  ToolSolid widened = probe;
+  widened.radius += by;
+  for (Body& body : widened.bodies) {
+    for (ProfileSegment& segment : body.segments) {
+      const double radius = radius_max(segment) + by;
+      segment = segment.c2 < 0.0
+                    ? sphere(segment.from - by, segment.to + by, segment.c1 / 2.0, radius)
+                    : cylinder(segment.from - by, segment.to + by, radius);
+    }
+  }
+  return widened;
+}
+
+bool touches(const ToolSolid& tool, const ToolPlace& place, const Disc& disc) {
+  if (place.axis.z() < 1.0 - parallel) return false;
+  const double depth = disc.top.z() - place.tip.z();
+  const double beside = (place.tip - disc.top).head<2>().norm();
+  for (const Body& body : tool.bodies) {
+    if (depth < body.bottom() || depth - disc.height > body.top()) continue;
+    double widest = 0.0;
+    for (const ProfileSegment& segment : body.segments) {
+      const double from = std::max(segment.from, depth - disc.height);
+      const double to = std::min(segment.to, depth);
+      if (from > to) continue;
+      widest = std::max({widest, segment.radius_at(from), segment.radius_at(to)});
+      const double middle = segment.c1 / 2.0;  // of a sphere
+      if (segment.c2 < 0.0 && from < middle && middle < to)
+        widest = std::max(widest, segment.sphere_radius());
+    }
+    if (beside <= disc.radius + widest) return true;
+  }
+  return false;
 }
 
 Bounds bounds_of(const Body& body, const ToolPlace& place) {

@@ -54,6 +54,20 @@ struct ToolSolid {
 // of cones may leave the rounding that it stands for. The shape has no defect.
 [[nodiscard]] ToolSolid solid_of(const ToolShape& tool, double deviation, double shrunk = 0.0);
 
+// A probe with every face set out by so much: wherever the probe itself goes within that distance,
+// it stays inside.
+[[nodiscard]] ToolSolid widened_probe(const ToolSolid& probe, double by);
+
+// An upright disc, such as a tool setter has it: the middle of its upper face, mm.
+struct Disc {
+  Vector top = Vector::Zero();
+  double radius = 0.0;
+  double height = 0.0;
+};
+
+// False, too, where the tool does not stand along Z.
+[[nodiscard]] bool touches(const ToolSolid& tool, const ToolPlace& place, const Disc& disc);
+
 [[nodiscard]] Bounds bounds_of(const Body& body, const ToolPlace& place);
 
 // The lines along one axis of K through a body that stands somewhere; what all of them share is

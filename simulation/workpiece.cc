@@ -69,6 +69,12 @@ void Workpiece::mill_at(const MillingTool& tool, const ToolPlace& place,
     find(FindingKind::spindle_stood, removed, place.tip, circumstances);
 }
 
+bool Workpiece::touches(const ToolSolid& probe, const ToolPlace& place) const {
+  return std::ranges::any_of(probe.bodies, [&](const Body& body) {
+    return body.part != Part::holder && simulation::touches(material_, body, place);
+  });
+}
+
 void Workpiece::turn(const TurningTool& tool, const SpindleAxis& axis, PlanePoint from,
                      PlanePoint to, const Circumstances& circumstances) {
   const Vector place_K{axis.x + to.x, axis.y, to.z};

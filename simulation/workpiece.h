@@ -55,6 +55,9 @@ class Workpiece {
 
   void mill(const MillingTool& tool, const ToolPlace& from, const ToolPlace& to,
             const Circumstances& circumstances);
+  // Whether ball or stylus of a probe touches what is left. The ball finds a face late by what it
+  // reaches over the nearest ray: at most resolution² / (4 radius).
+  [[nodiscard]] bool touches(const ToolSolid& probe, const ToolPlace& place) const;
   // z along K, x the distance from the axis.
   void turn(const TurningTool& tool, const SpindleAxis& axis, PlanePoint from, PlanePoint to,
             const Circumstances& circumstances);

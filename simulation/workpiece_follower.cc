@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace stanok::simulation {
 namespace {
 
 constexpr std::size_t stations_max = 64;  // bound of the work for a sample
-constexpr double standing = 1e-9;         // mm, and parts of a radian: rounding of the readings
+// mm: how far a probe may go from a place where nothing is near, before it is looked at again.
+constexpr std::array free_distances{2.0, 0.4, 0.08, 0.016};
+constexpr double standing = 1e-9;  // mm, and parts of a radian: rounding of the readings
 
 double deviation_from_way(const Vector& begin, const Vector& end, const Vector& point) {
   const Vector way = end - begin;
@@ -60,6 +63,7 @@ void WorkpieceFollower::announce(const Announcement& announcement, const Sample&
 
 void WorkpieceFollower::place(const Placement& placement, const Sample& now) {
   flush();
+  for (auto& [key, tool] : ready_) tool.free.reset();
   if (workpiece_ == nullptr) {
     return complain_once("W926", "there is no blank to be moved", now.origin.line);
   }
@@ -99,12 +103,16 @@ WorkpieceFollower::ReadyTool WorkpieceFollower::prepared(const ToolRecord& recor
   } else {
     ready.mill = workpiece_->milling_tool(record.shape);
     ready.reach = ready.mill->solid.bodies.front().top();
+    if (record.shape.kind == ToolKind::probe) {
+      for (const double distance : free_distances)
+        ready.widened.push_back(widened_probe(ready.mill->solid, distance));
+    }
   }
   return ready;
 }
 
 // The tool of the sample, or nothing when it cannot be seen.
-const WorkpieceFollower::ReadyTool* WorkpieceFollower::tool_of(const Sample& sample) {
+WorkpieceFollower::ReadyTool* WorkpieceFollower::tool_of(const Sample& sample) {
   const std::pair key{sample.tool, sample.edge};
   if (const auto found = ready_.find(key); found != ready_.end()) return &found->second;
   const ToolRecord* record = record_of(sample);
@@ -211,6 +219,11 @@ void WorkpieceFollower::flush() {
   stations_.clear();
 }
 
+std::optional<WorkpieceFollower::ToolAtWork> WorkpieceFollower::milling_tool() const {
+  if (workpiece_ == nullptr || tool_ == nullptr || !tool_->mill || !latest_) return std::nullopt;
+  return ToolAtWork{.tool = &*tool_->mill, .place_K = milling_place(*latest_)};
+}
+
 // The shares of the blocks in the motion, by the travel of tip and flutes.
 std::vector<Share> WorkpieceFollower::shares() const {
   std::vector<Share> shares;
@@ -229,7 +242,44 @@ std::vector<Share> WorkpieceFollower::shares() const {
   return shares;
 }
 
+bool WorkpieceFollower::is_free(const ReadyTool& probe, const ToolPlace& place_K) {
+  if (!probe.free) return false;
+  const double top = probe.mill->solid.bodies.back().top();
+  const double way = (place_K.tip - probe.free->place_K.tip).norm() +
+                     top * (place_K.axis - probe.free->place_K.axis).norm();
+  return way < probe.free->distance;
+}
+
+bool WorkpieceFollower::touches_workpiece(const Sample& now) {
+  if (workpiece_ == nullptr || !machine_.has_scheme(now.scheme)) return false;
+  ReadyTool* probe = tool_of(now);
+  if (probe == nullptr || !probe->probes()) return false;
+  const ToolPlace place_K = milling_place(now);
+  if (is_free(*probe, place_K)) return false;
+  flush();
+  for (std::size_t i = 0; i < free_distances.size(); ++i) {
+    if (workpiece_->touches(probe->widened[i], place_K)) continue;
+    probe->free = {free_distances[i], place_K};
+    return false;
+  }
+  probe->free.reset();
+  return workpiece_->touches(probe->mill->solid, place_K);
+}
+
+bool WorkpieceFollower::touches(const Sample& now, const Disc& disc_M) const {
+  constexpr double rounding = 1e-3;  // mm, of rounded corners
+  const ToolRecord* record = record_of(now);
+  if (record == nullptr || !machine_.has_scheme(now.scheme)) return false;
+  if (record->shape.kind == ToolKind::insert || !defect_of(record->shape).empty()) return false;
+  const Pose base_M = machine_.machine_in(now.scheme, now.axes_M).inverse();
+  const ToolPlace place_B = machine_.place_in(now.scheme, now.scheme, now.axes_M, record->mount);
+  const ToolPlace place_M{base_M * place_B.tip, base_M.linear() * place_B.axis};
+  if (place_M.tip.z() > disc_M.top.z()) return false;
+  return simulation::touches(solid_of(record->shape, rounding), place_M, disc_M);
+}
+
 void WorkpieceFollower::cut(const Station& to) {
+  if (tool_->probes()) return;
   const Circumstances circumstances{.shares = shares(),
                                     .tool = latest_->tool,
                                     .rapid = latest_->rapid,

@@ -65,12 +65,25 @@ class WorkpieceFollower {
   void change_tool(int number, int edge, const ToolRecord& record);
 
   void follow(const Sample& sample);
+  // Whether the probe in the spindle touches the workpiece where the axes stand in `now`; false for
+  // tools that are no probe. What was followed so far is cut.
+  [[nodiscard]] bool touches_workpiece(const Sample& now);
+  // Whether any tool but an insert touches a disc, which stands in the machine system.
+  [[nodiscard]] bool touches(const Sample& now, const Disc& disc_M) const;
+
   // What was followed so far is cut.
   void flush();
   // Only the workpiece that is being cut stays.
   void forget_former();
   // The one that is being cut; nullptr: none was announced, or the last blank was refused.
   [[nodiscard]] Workpiece* at_work() { return workpiece_; }
+
+  // A rotating tool and where the latest sample has it; nothing: no such tool is at work.
+  struct ToolAtWork {
+    const MillingTool* tool = nullptr;
+    ToolPlace place_K;
+  };
+  [[nodiscard]] std::optional<ToolAtWork> milling_tool() const;
 
   // The workpieces of all announcements, in their order; the last one is being cut.
   [[nodiscard]] const std::vector<std::unique_ptr<Workpiece>>& workpieces() const {
@@ -83,13 +96,24 @@ class WorkpieceFollower {
     double time_s = 0.0;
     Origin origin;  // of the way that leads there
   };
+  // Where a probe touched nothing, even wider: it touches nothing within that distance from there,
+  // since material does not grow.
+  struct FreePlace {
+    double distance = 0.0;
+    ToolPlace place_K;
+  };
   struct ReadyTool {
     std::optional<MillingTool> mill;
     std::optional<TurningTool> insert;
-    double reach = 0.0;  // to the top of the flutes
+    double reach = 0.0;              // to the top of the flutes
+    std::vector<ToolSolid> widened;  // of a probe, by free_distances; else none
+    std::optional<FreePlace> free;
+
+    [[nodiscard]] bool probes() const { return !widened.empty(); }
   };
 
-  [[nodiscard]] const ReadyTool* tool_of(const Sample& sample);
+  [[nodiscard]] static bool is_free(const ReadyTool& probe, const ToolPlace& place_K);
+  [[nodiscard]] ReadyTool* tool_of(const Sample& sample);
   [[nodiscard]] const ToolRecord* record_of(const Sample& sample) const;
   [[nodiscard]] ReadyTool prepared(const ToolRecord& record) const;
   [[nodiscard]] ToolPlace place_in_base(const Sample& sample) const;

@@ -97,7 +97,7 @@ struct ToolEdge {
   int number = 0;
   int edge = 1;
   std::string name;
-  std::string kind = "flat";                            // flat, ball, bull, drill, taper, insert
+  std::string kind = "flat";                            // flat, ball, ..., see tool_keys
   double length = 0.0, length_x = 0.0, length_y = 0.0;  // mm
   double radius = 0.0, corner_radius = 0.0;
   double wear_length = 0.0, wear_length_x = 0.0, wear_radius = 0.0, overhang = 0.0;

@@ -13,6 +13,7 @@
 #include "config/sections/drive_section.h"
 #include "config/sections/machine_sections.h"
 #include "config/sections/plant_section.h"
+#include "config/sections/probing_section.h"
 #include "config/sections/process_section.h"
 #include "config/sections/register_section.h"
 #include "config/sections/scheme_keys.h"
@@ -62,6 +63,8 @@ std::vector<KeySection> key_sections() {
       {"[simulation]", describe(simulation_keys())},
       {"[simulation.cutting]", cutting_key_rows()},
       {"[[simulation.cutting.stock]]", stock_key_rows()},
+      {"[[simulation.tool]]", real_tool_key_rows()},
+      {"[simulation.tool_setter]", tool_setter_key_rows()},
       {"[[contact]]", contact_key_rows()},
       {"[[tool]] of the tables file", tool_key_rows()},
       {"process file of stanok grind", grinding_key_rows()},

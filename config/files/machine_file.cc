@@ -11,6 +11,7 @@
 #include "config/sections/channel_section.h"
 #include "config/sections/contact_section.h"
 #include "config/sections/machine_sections.h"
+#include "config/sections/probing_section.h"
 #include "config/sections/process_section.h"
 #include "config/sections/signal_section.h"
 #include "config/sections/vibration_section.h"
@@ -254,6 +255,10 @@ class MachineReader {
       if (section.cutting != nullptr)
         file_.simulation.cutting =
             read_cutting(*section.cutting, file_.machine, scope.inner("cutting"));
+      file_.simulation.tools = read_real_tools(section.tools, file_.machine, scope);
+      if (section.setter != nullptr)
+        file_.simulation.setter =
+            read_tool_setter(*section.setter, file_.machine, scope.inner("tool_setter"));
     }
   }
 

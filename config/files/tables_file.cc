@@ -42,7 +42,7 @@ const Keys<ToolEdge>& tool_keys() {
       {"edge", at<&ToolEdge::edge>, optional, "", "its edge", from(1, 99)},
       {"name", at<&ToolEdge::name>, optional, "", "name for people"},
       {"kind", at<&ToolEdge::kind>, optional, "", "shape of the cutting part",
-       one_of({"flat", "ball", "bull", "drill", "taper", "insert"})},
+       one_of({"flat", "ball", "bull", "drill", "taper", "insert", "probe"})},
       {"length", at<&ToolEdge::length>, optional, "mm",
        "from the spindle nose to the tip, along Z"},
       {"length_x", at<&ToolEdge::length_x>, optional, "mm", "from the nose to the tip, along X"},

@@ -49,6 +49,26 @@ struct CuttingConfig {
   std::vector<StockSection> stock;  // from the face on, z falls; empty: there is no cut
 };
 
+// [[simulation.tool]]: what a tool of a simulated machine really is, whatever the table of tools
+// says of it: what is not given is as the table has it at the start, mm.
+struct RealTool {
+  static constexpr double as_table = std::numeric_limits<double>::infinity();
+
+  int number = 0;
+  int edge = 1;
+  double length = as_table, length_x = as_table, length_y = as_table;
+  double radius = as_table;
+};
+
+// [simulation.tool_setter]: a disc that switches probe_input of its channel where a tool touches
+// it. The middle of its upper face, in readings of the axes with the spindle nose there, mm.
+struct ToolSetterConfig {
+  int channel = 0;  // 0: there is none
+  double x = 0.0, y = 0.0, z = 0.0;
+  double diameter = 0.0;
+  double height = 10.0;
+};
+
 // [simulation]: plant behind the simulated drives.
 struct SimulationConfig {
   double drive_frequency_hz = 40.0;  // natural frequency of the position loop
@@ -60,6 +80,8 @@ struct SimulationConfig {
   double resonance_damping = 0.1;
   bool outputs_to_inputs = false;  // outputs of programs come back as inputs of the same number
   CuttingConfig cutting;
+  std::vector<RealTool> tools;
+  ToolSetterConfig setter;
 };
 
 // [[contact]]: a digital input that is on while an axis stands between two positions; a surface for

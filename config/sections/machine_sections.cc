@@ -112,6 +112,10 @@ const Keys<SimulationSection>& simulation_keys() {
        "outputs of programs come back as inputs of the same number"},
       {"cutting", at<&SimulationSection::cutting>, optional, "", "the cut behind the spindle", any,
        "there is none"},
+      {"tool", at<&SimulationSection::tools>, optional, "",
+       "one [[simulation.tool]] for each tool that is not what the tables say"},
+      {"tool_setter", at<&SimulationSection::setter>, optional, "",
+       "a disc that switches probe_input where a tool touches it", any, "there is none"},
   };
   return keys;
 }

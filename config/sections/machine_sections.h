@@ -26,6 +26,8 @@ struct MachineSection {
 struct SimulationSection {
   SimulationConfig simulation;
   Subtable cutting = nullptr;
+  Subtables tools = nullptr;
+  Subtable setter = nullptr;
 };
 [[nodiscard]] const Keys<SimulationSection>& simulation_keys();
 

@@ -17,9 +17,10 @@ class ProgramInputs {
                 const channels::MachineOptions& options)
       : contacts_(contacts), options_(options) {}
 
-  // Nothing (nullptr) where neither the drives nor a contact has any. `last`: the output of the
-  // cycle before.
-  [[nodiscard]] const Signals* read(DriveSide& drives, const channels::CycleOutput& last) RT_SAFE;
+  // Nothing (nullptr) where neither the drives nor a contact nor a simulated probe has any. `last`:
+  // the output of the cycle before. `touched`: digital inputs that a simulated probe has on.
+  [[nodiscard]] const Signals* read(DriveSide& drives, const channels::CycleOutput& last,
+                                    const Signals* touched) RT_SAFE;
 
  private:
   std::span<const config::SimulatedContact> contacts_;  // none of a real machine

@@ -158,13 +158,35 @@ ChannelFeed::ChannelFeed(const channels::MachineConfig& machine,
                          const channels::ChannelConfig& channel, std::uint64_t memory_max,
                          simulation::WorkpieceFollower::Complaint complain)
     : channel_(channel.id),
+      tables_(machine.tables),
       memory_max_(memory_max),
       follower_(geometry_of(machine, channel), tools_of(machine.tables), memory_max,
                 std::move(complain)) {}
 
+void ChannelFeed::take_real_tools(const std::vector<config::RealTool>& tools) {
+  const auto put = [](double real, double& value) {
+    if (real != config::RealTool::as_table) value = real;
+  };
+  for (const config::RealTool& real : tools) {
+    for (channels::ToolEdge edge : tables_.tools) {
+      if (edge.number != real.number || edge.edge != real.edge) continue;
+      if (real.radius != config::RealTool::as_table) edge.wear_radius = 0.0;
+      if (real.length != config::RealTool::as_table) edge.wear_length = 0.0;
+      if (real.length_x != config::RealTool::as_table) edge.wear_length_x = 0.0;
+      put(real.length, edge.length);
+      put(real.length_x, edge.length_x);
+      put(real.length_y, edge.length_y);
+      put(real.radius, edge.radius);
+      follower_.change_tool(real.number, real.edge, record_of(channels::row_of(edge)));
+      real_tools_.emplace_back(real.number, real.edge);
+    }
+  }
+}
+
 void ChannelFeed::hear_of_tool(const channels::ToolRow& row) {
   if (row == tool_row_) return;
   tool_row_ = row;
+  if (std::ranges::find(real_tools_, std::pair{row.number, row.edge}) != real_tools_.end()) return;
   if (row.number != 0) follower_.change_tool(row.number, row.edge, record_of(row));
 }
 

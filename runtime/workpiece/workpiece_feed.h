@@ -51,6 +51,9 @@ class ChannelFeed {
   void take(const simulation::Sample& sample, const channels::ToolRow& tool,
             const channels::Workpiece& workpiece);
 
+  // From now on these tools are what they really are, whatever rows come.
+  void take_real_tools(const std::vector<config::RealTool>& tools);
+
   // Blanks are taken as fine as the memory allows, where they want to be finer.
   void take_what_fits() { takes_what_fits_ = true; }
 
@@ -59,10 +62,12 @@ class ChannelFeed {
 
  private:
   int channel_;
+  const channels::TablesConfig& tables_;  // at the start of the run
   std::uint64_t memory_max_;
   bool takes_what_fits_ = false;
   simulation::WorkpieceFollower follower_;
-  channels::ToolRow tool_row_;  // that was told last
+  channels::ToolRow tool_row_;                   // that was told last
+  std::vector<std::pair<int, int>> real_tools_;  // number and edge: their rows tell nothing
   std::uint32_t announcements_ = 0;
   std::uint32_t shapes_ = 0;
 };

@@ -36,7 +36,7 @@ TEST_P(ProjectMachine, IsReadWithoutFaultAndItsSchemesCanBeMade) {
 
 INSTANTIATE_TEST_SUITE_P(All, ProjectMachine,
                          ::testing::Values("e7106mf4", "grinder", "mill3", "mill5", "lathe",
-                                           "millturn4", "stress8", "trunnion"),
+                                           "mill3_probe", "millturn4", "stress8", "trunnion"),
                          [](const auto& name) { return name.param; });
 
 // ISO 5608: the cutting edge angle is the one between the edge and the direction of the feed, here

@@ -12,10 +12,11 @@
 
 #include "base/utf8.h"
 #include "client/offline/machine/job_options.h"
+#include "client/offline/simulate/measurement_observer.h"
 #include "client/offline/simulate/operator_events_file.h"
 #include "client/offline/simulate/sensor_file.h"
 #include "client/offline/simulate/speed_limits.h"
-#include "client/offline/workpiece/workpiece_observer.h"
+#include "client/offline/workpiece/simulated_parts.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
@@ -281,8 +282,8 @@ struct Observers {
                                                    given.log, std::string(protocol::version));
     }
     if (!given.why.empty()) limits = std::make_unique<SpeedLimits>(machine, asked_lines(given.why));
-    if (given.workpiece.files.is_wanted())
-      workpieces = std::make_unique<WorkpieceObserver>(machine, given.workpiece);
+    if (given.workpiece.files.is_wanted() || runtime::SimulatedWorkpieces::can_probe(options.file))
+      parts = std::make_unique<SimulatedParts>(options.file, given.workpiece);
   }
 
   [[nodiscard]] std::vector<runtime::CycleObserver*> all() const {
@@ -311,31 +312,31 @@ void tell_faults(const runtime::SimulationResult& result) {
 
 void print_result(const SimulateOptions& given, const channels::MachineConfig& machine,
                   const runtime::SimulationResult& result, const Observers& observers) {
-  const WorkpieceObserver* workpieces = observers.workpieces.get();
+  const SimulatedParts* parts = given.workpiece.files.is_wanted() ? observers.parts.get() : nullptr;
   const SpeedLimits* limits = observers.limits.get();
   if (given.job.json) {
     nlohmann::ordered_json json = result_json(result, machine);
-    if (workpieces != nullptr) json["workpieces"] = workpieces->json();
+    if (parts != nullptr) json["workpieces"] = parts->json();
     if (limits != nullptr) json["why"] = limits->json(result.runs);
     write_json(json);
   } else {
     print_summary(result);
-    if (workpieces != nullptr) workpieces->print_summary();
+    if (parts != nullptr) parts->print_summary();
     if (limits != nullptr) write_data(limits->text(result.runs));
   }
 }
 
 int run(const SimulateOptions& given) {
-  const runtime::SimulationOptions options = simulation_options(given);
+  runtime::SimulationOptions options = simulation_options(given);
   Observers observers(given, options);
+  if (observers.parts) options.workpieces = observers.parts->workpieces();
   catch_interrupts();
   const auto result = runtime::simulate(options, observers.all(), [] { return is_interrupted(); });
   const std::string log_error = observers.log == nullptr ? "" : observers.log->close();
   if (!log_error.empty()) write_message("error: " + log_error + "\n");
   observers.lines_and_traces.clear();
   tell_faults(result);
-  WorkpieceObserver* workpieces = observers.workpieces.get();
-  const bool has_workpieces = workpieces == nullptr || workpieces->finish(result.runs);
+  const bool has_workpieces = observers.parts == nullptr || observers.parts->finish(result.runs);
   print_result(given, options.file.machine, result, observers);
   const int code = outcome(result);
   return code == 0 && (!log_error.empty() || !has_workpieces) ? exit_failed : code;

@@ -1,5 +1,5 @@
 // `simulate --workpiece-out`, `--picture`, `--workpiece-report`: the workpieces of all channels,
-// followed as the run goes, written at its end.
+// which the run cuts and its probes touch, written at its end.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,6 @@
 
 #include "client/offline/workpiece/workpiece_output.h"
 #include "runtime/simulation.h"
-#include "runtime/workpiece/workpiece_feed.h"
 
 namespace stanok::client {
 
@@ -18,23 +17,26 @@ struct WorkpieceOptions {
 
 void add_workpiece_options(CLI::App& command, WorkpieceOptions& options);
 
-class WorkpieceObserver final : public runtime::CycleObserver {
+class SimulatedParts {
  public:
-  WorkpieceObserver(const channels::MachineConfig& machine, const WorkpieceOptions& options);
+  // `file` outlives it.
+  SimulatedParts(const config::MachineFile& file, const WorkpieceOptions& options);
 
-  void observe(const channels::CycleOutput& output) override;
+  // For the run that cuts them.
+  [[nodiscard]] std::shared_ptr<runtime::SimulatedWorkpieces> workpieces() const {
+    return simulated_;
+  }
 
-  // At the end of the run: what is wanted is written. False when that failed, or when no program
-  // has announced a workpiece; the reasons went to stderr.
+  // At the end of the run: what is wanted is written. False when that failed, or when files are
+  // wanted and no program has announced a workpiece; the reasons went to stderr.
   [[nodiscard]] bool finish(const std::vector<channels::RunReport>& runs);
   void print_summary() const { print(workpieces_, names_); }
   [[nodiscard]] nlohmann::ordered_json json() const;
 
  private:
   WorkpieceFiles files_;
-  double cycle_s_;
   bool refused_ = false;
-  std::vector<std::unique_ptr<runtime::ChannelFeed>> feeds_;
+  std::shared_ptr<runtime::SimulatedWorkpieces> simulated_;
   std::vector<NamedWorkpiece> workpieces_;
   FileNames names_;
 };

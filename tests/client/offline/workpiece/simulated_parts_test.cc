@@ -1,6 +1,6 @@
 // The virtual workpiece of whole simulated runs: findings with their lines, zeros and switches that
 // are followed, announcements that cannot be.
-#include "client/offline/workpiece/workpiece_observer.h"
+#include "client/offline/workpiece/simulated_parts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,14 +47,15 @@ class WorkpieceRun : public ::testing::Test {
     if (scheme != 0) options.schemes = {{1, scheme}};
     WorkpieceOptions wanted;
     wanted.files.report = folder_ / "report.json";
-    WorkpieceObserver observer(options.file.machine, wanted);
+    SimulatedParts parts(options.file, wanted);
+    options.workpieces = parts.workpieces();
     runtime::LogObserver log(options.file, runtime::setup_of(options), log_, "test");
-    const auto result = runtime::simulate(options, {&observer, &log}, [] { return false; });
+    const auto result = runtime::simulate(options, {&log}, [] { return false; });
     EXPECT_EQ(log.close(), "");
     for (const auto& alarm : result.alarms)
       ADD_FAILURE() << alarm.diagnostic.place.line << ": " << alarm.diagnostic.message;
-    finished_ = observer.finish(result.runs);
-    return observer.json();
+    finished_ = parts.finish(result.runs);
+    return parts.json();
   }
 
   // The JSON of the one workpiece in the log, without the messages on channels that end so.

@@ -1,4 +1,4 @@
-#include "client/offline/workpiece/workpiece_observer.h"
+#include "client/offline/workpiece/simulated_parts.h"
 
 namespace stanok::client {
 namespace {
@@ -32,45 +32,32 @@ void add_workpiece_options(CLI::App& command, WorkpieceOptions& options) {
       ->check(CLI::Range(1, 1 << 20));
 }
 
-WorkpieceObserver::WorkpieceObserver(const channels::MachineConfig& machine,
-                                     const WorkpieceOptions& options)
-    : files_(options.files), cycle_s_(machine.cycle_us * 1e-6) {
-  for (const channels::ChannelConfig& channel : machine.channels) {
-    const auto on_complaint = [this, id = channel.id](const std::string& code,
-                                                      const std::string& text) {
-      complain(id, code, text);
-      refused_ = refused_ || code.front() == 'E';
-    };
-    feeds_.push_back(std::make_unique<runtime::ChannelFeed>(
-        machine, channel, options.memory_mib << 20U, on_complaint));
-  }
-}
+SimulatedParts::SimulatedParts(const config::MachineFile& file, const WorkpieceOptions& options)
+    : files_(options.files),
+      simulated_(std::make_shared<runtime::SimulatedWorkpieces>(
+          file, options.memory_mib << 20U,
+          [this](int channel, const std::string& code, const std::string& text) {
+            complain(channel, code, text);
+            refused_ = refused_ || code.front() == 'E';
+          })) {}
 
-void WorkpieceObserver::observe(const channels::CycleOutput& output) {
-  const double time_s = static_cast<double>(output.cycle) * cycle_s_;
-  for (std::size_t k = 0; k < feeds_.size(); ++k) {
-    const channels::ChannelOutput& channel = output.channels[k];
-    if (channel.axis_count == 0) continue;
-    feeds_[k]->take(runtime::sample_of(channel, time_s), channel.tool_row, channel.workpiece);
-  }
-}
-
-bool WorkpieceObserver::finish(const std::vector<channels::RunReport>& runs) {
+bool SimulatedParts::finish(const std::vector<channels::RunReport>& runs) {
   names_ = names_of(runs);
-  for (const auto& feed : feeds_) {
+  for (const auto& feed : simulated_->feeds()) {
     feed->follower().flush();
     for (const auto& workpiece : feed->follower().workpieces()) {
       workpieces_.push_back({workpiece.get(), title_of(*workpiece, names_, feed->channel())});
     }
   }
-  if (workpieces_.empty() && !refused_)
+  if (workpieces_.empty() && !refused_ && files_.is_wanted())
     complain(0, "E9201", "no program has announced a workpiece with #workpiece");
   const std::vector<std::string> failures = write_files(workpieces_, files_, names_);
   for (const std::string& failure : failures) complain(0, "E9204", failure);
+  if (!files_.is_wanted()) return !refused_;
   return !workpieces_.empty() && !refused_ && failures.empty();
 }
 
-nlohmann::ordered_json WorkpieceObserver::json() const {
+nlohmann::ordered_json SimulatedParts::json() const {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const NamedWorkpiece& named : workpieces_) {
     json.push_back(to_json(*named.workpiece, names_));
