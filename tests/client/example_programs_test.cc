@@ -42,14 +42,23 @@ TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
 }
 
 constexpr Example example_programs[] = {
-    {"square_and_circle", "mill3", ""}, {"helix", "mill3", ""},
-    {"bolt_circle", "mill3", ""},       {"tilted_pocket", "e7106mf4", "2"},
-    {"trunnion", "trunnion", ""},       {"lathe", "lathe", ""},
-    {"millturn4", "millturn4", ""},     {"helix", "mill5", ""},
-    {"helix", "stress8", ""},           {"thread", "lathe", ""},
-    {"chip_breaking", "lathe", ""},     {"slender_shaft", "lathe", ""},
-    {"plunge_grinding", "grinder", ""}, {"adaptive_steps", "lathe", ""},
-    {"workpiece", "e7106mf4", ""},      {"turned_part", "lathe", ""},
+    {"square_and_circle", "mill3", ""},
+    {"helix", "mill3", ""},
+    {"bolt_circle", "mill3", ""},
+    {"tilted_pocket", "e7106mf4", "2"},
+    {"trunnion", "trunnion", ""},
+    {"lathe", "lathe", ""},
+    {"millturn4", "millturn4", ""},
+    {"helix", "mill5", ""},
+    {"helix", "stress8", ""},
+    {"thread", "lathe", ""},
+    {"chip_breaking", "lathe", ""},
+    {"slender_shaft", "lathe", ""},
+    {"plunge_grinding", "grinder", ""},
+    {"adaptive_steps", "lathe", ""},
+    {"workpiece", "e7106mf4", ""},
+    {"turned_part", "lathe", ""},
+    {"measured_part", "mill3_probe", ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(example_programs),

@@ -37,6 +37,7 @@ const std::map<std::string, Surroundings> machines_of_examples{
     {"millturn4_mill", {"millturn4", 1}},
     {"millturn4_sub", {"millturn4", 1}},
     {"plunge_grinding", {"grinder"}},
+    {"measured_part", {"mill3_probe"}},
     {"slender_shaft", {"lathe"}},
     {"thread", {"lathe"}},
     {"tilted_pocket", {"e7106mf4", 1, 2}},
