@@ -38,6 +38,7 @@ struct SimulateOptions {
   std::vector<std::string> tip_traces;   // CH=FILE.csv
   std::vector<std::string> axis_traces;  // CH=FILE.csv
   std::string log;
+  std::string measurements;
   std::string events;
   std::string sensors;
   std::vector<std::string> why;  // lines
@@ -260,9 +261,10 @@ std::vector<AskedLine> asked_lines(const std::vector<std::string>& texts) {
 struct Observers {
   ProgressLine progress;
   std::vector<std::unique_ptr<runtime::CycleObserver>> lines_and_traces;
-  std::unique_ptr<runtime::LogObserver> log;      // none: no log is written
-  std::unique_ptr<WorkpieceObserver> workpieces;  // none: nothing is asked of them
-  std::unique_ptr<SpeedLimits> limits;            // none: nobody asks why
+  std::unique_ptr<runtime::LogObserver> log;          // none: no log is written
+  std::unique_ptr<SimulatedParts> parts;              // none: nothing is asked of them
+  std::unique_ptr<MeasurementObserver> measurements;  // none: they are not wanted
+  std::unique_ptr<SpeedLimits> limits;                // none: nobody asks why
 
   Observers(const SimulateOptions& given, const runtime::SimulationOptions& options) {
     const channels::MachineConfig& machine = options.file.machine;
@@ -281,6 +283,8 @@ struct Observers {
       log = std::make_unique<runtime::LogObserver>(options.file, runtime::setup_of(options),
                                                    given.log, std::string(protocol::version));
     }
+    if (!given.measurements.empty())
+      measurements = std::make_unique<MeasurementObserver>(given.measurements, machine.cycle_us);
     if (!given.why.empty()) limits = std::make_unique<SpeedLimits>(machine, asked_lines(given.why));
     if (given.workpiece.files.is_wanted() || runtime::SimulatedWorkpieces::can_probe(options.file))
       parts = std::make_unique<SimulatedParts>(options.file, given.workpiece);
@@ -291,7 +295,7 @@ struct Observers {
     observers.reserve(lines_and_traces.size() + 3);
     for (const auto& observer : lines_and_traces) observers.push_back(observer.get());
     if (log != nullptr) observers.push_back(log.get());
-    if (workpieces != nullptr) observers.push_back(workpieces.get());
+    if (measurements != nullptr) observers.push_back(measurements.get());
     if (limits != nullptr) observers.push_back(limits.get());
     return observers;
   }
@@ -332,7 +336,8 @@ int run(const SimulateOptions& given) {
   if (observers.parts) options.workpieces = observers.parts->workpieces();
   catch_interrupts();
   const auto result = runtime::simulate(options, observers.all(), [] { return is_interrupted(); });
-  const std::string log_error = observers.log == nullptr ? "" : observers.log->close();
+  std::string log_error = observers.log == nullptr ? "" : observers.log->close();
+  if (log_error.empty() && observers.measurements) log_error = observers.measurements->error();
   if (!log_error.empty()) write_message("error: " + log_error + "\n");
   observers.lines_and_traces.clear();
   tell_faults(result);
@@ -357,6 +362,10 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->type_name("CH=FILE");
   command->add_option("--log", options->log, "LCM log of all setpoints, states and inputs")
       ->type_name("FILE");
+  command
+      ->add_option("--measurements", options->measurements,
+                   "folder for what the programs measure: measurements.csv and measurements.jsonl")
+      ->type_name("FOLDER");
   command->add_option("--until", options->until_s, "stop after this machine time, s");
   command->add_flag("--drives", options->drives,
                     "run the simulated drives; without it they are ideal");

@@ -1,0 +1,39 @@
+// The daemon adds what programs measure to the report in the folder of its logs.
+#include "daemon/publish/measurement_listener.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "tests/support/temporary_directory.h"
+
+namespace stanok::daemon {
+namespace {
+
+TEST(MeasurementListener, AddsMeasurementsToTheReportOfTheMachine) {
+  const testing::TemporaryDirectory folder;
+  channels::Event event;
+  event.cycle = 4711;
+  event.channel = 1;
+  for (int run = 0; run < 2; ++run) {
+    MeasurementListener listener(folder.path() / "log", "mill");
+    event.text = FixedText<240>("program started");
+    listener.on_event(event);
+    event.text = FixedText<240>("measured bore size=12.5");
+    listener.on_event(event);
+  }
+  std::ifstream file(folder.path() / "log" / "mill-measurements.jsonl");
+  std::string line;
+  int lines = 0;
+  while (std::getline(file, line)) {
+    ++lines;
+    EXPECT_NE(line.find("\"cycle\":4711,\"channel\":1,\"feature\":\"bore\",\"size\":12.5}"),
+              std::string::npos)
+        << line;
+  }
+  EXPECT_EQ(lines, 2);
+}
+
+}  // namespace
+}  // namespace stanok::daemon
