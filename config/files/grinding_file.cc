@@ -24,6 +24,7 @@ struct GrindingFile {
   std::string removal = "triangle";
   double wear_factor = 0.0;
   double wear_exponent = 1.0;
+  Subtables burn = nullptr;
 };
 
 // One of the sheet's quantities; its range comes from the table of process quantities, which the
@@ -80,12 +81,36 @@ const Keys<GrindingFile>& grinding_keys() {
        optional, "mm", "how far the highest place may lie below size", from(0.0, 0.1)},
       {"roundness_max", at<&F::request, &R::limits, &VerificationLimits::roundness_max_mm>,
        optional, "mm", "how far the part may be out of round at the end; 0: any", from(0.0, 0.1)},
+      {"burn", at<&F::burn>, optional, "",
+       "points of a burn line that is a curve, between 0 and critical_allowance"},
       {"time_step", at<&F::request, &R::simulation, &PlungeOptions::time_step_max_s>, optional, "s",
        "step of the simulation, at most", from(1e-6, 0.0005)},
       {"time_max", at<&F::request, &R::simulation, &PlungeOptions::time_max_s>, optional, "s",
        "longest cycle; one that takes longer is refused", from(1.0, 3600.0)},
   };
   return keys;
+}
+
+const Keys<process::BurnPoint>& burn_keys() {
+  using B = process::BurnPoint;
+  static const Keys<B> keys = {
+      {"allowance", at<&B::allowance_mm>, required, "mm", "allowance that is left, per side",
+       from(1e-6, allowance_max_mm)},
+      {"removal", at<&B::removal_mm2_per_rad>, required, "mm2/rad", "removal permitted there",
+       from(1e-5, 100.0)},
+  };
+  return keys;
+}
+
+std::vector<process::BurnPoint> read_burn_curve(Subtables tables, const Scope& scope) {
+  std::vector<process::BurnPoint> curve;
+  if (tables == nullptr) return curve;
+  for (const toml::node& node : *tables) {
+    process::BurnPoint point;
+    read_table(*node.as_table(), burn_keys(), point, scope);
+    curve.push_back(point);
+  }
+  return curve;
 }
 
 // Ranges of the quantities that the file has as numbers; what is absent or no number is a fault
@@ -120,6 +145,7 @@ DesignRequest read_grinding_file(const std::filesystem::path& file) {
       file, grinding_keys(), "process", content, [&](const toml::table& table, const Scope& scope) {
         request.process.removal = content.removal == "exact" ? process::RemovalForm::exact
                                                              : process::RemovalForm::triangle;
+        request.process.burn_curve = read_burn_curve(content.burn, scope.inner("[[burn]]"));
         check_ranges(table, request.process, scope);
         scope.faults.throw_if_any();
         check_together(table, request, scope);
@@ -133,6 +159,10 @@ DesignRequest read_grinding_file(const std::filesystem::path& file) {
     };
   }
   return std::move(request);
+}
+
+std::vector<KeyRow> burn_key_rows() {
+  return describe(burn_keys());
 }
 
 std::vector<KeyRow> grinding_key_rows() {

@@ -18,5 +18,6 @@ namespace stanok::config {
 
 // Rows of the documentation.
 [[nodiscard]] std::vector<KeyRow> grinding_key_rows();
+[[nodiscard]] std::vector<KeyRow> burn_key_rows();
 
 }  // namespace stanok::config

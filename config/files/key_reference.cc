@@ -68,6 +68,7 @@ std::vector<KeySection> key_sections() {
       {"[[contact]]", contact_key_rows()},
       {"[[tool]] of the tables file", tool_key_rows()},
       {"process file of stanok grind", grinding_key_rows()},
+      {"[[burn]] of a process file of stanok grind", burn_key_rows()},
       {"file of stanok process lobes", chatter_key_rows()},
       {"[[mode_x]] and [[mode_y]] of a file of stanok process lobes", vibration_mode_key_rows()},
   };

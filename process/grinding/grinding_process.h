@@ -20,6 +20,14 @@ enum class RemovalForm {
   exact,     // Q = a R: the area that a layer a has per radian of the part
 };
 
+// A point of the burn line: what may be removed with that much allowance left.
+struct BurnPoint {
+  double allowance_mm = 0.0;
+  double removal_mm2_per_rad = 0.0;
+
+  bool operator==(const BurnPoint&) const = default;
+};
+
 struct GrindingProcess {
   double part_radius_mm = 0.0;           // R, of the finished part
   double width_mm = 0.0;                 // B, of the ground surface
@@ -34,6 +42,9 @@ struct GrindingProcess {
   double critical_allowance_mm = 0.0;    // H_crit, below which the layer can burn
   double removal_end_mm2_per_rad = 0.0;  // Q_end, permitted at the end of the cycle
   RemovalForm removal = RemovalForm::triangle;
+  // Between 0, where Q_end is permitted, and H_crit, where Q_max is, both ascending; empty: the
+  // burn line is straight.
+  std::vector<BurnPoint> burn_curve{};
 
   bool operator==(const GrindingProcess&) const = default;
 };

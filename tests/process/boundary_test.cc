@@ -42,6 +42,51 @@ TEST(Boundary, IsTheLesserOfTheGreatestRemovalAndTheBurnLine) {
   EXPECT_NEAR(boundary.burn_line(0.18), 0.05 + 2.0 * (Q_max - 0.05), 1e-12);
 }
 
+GrindingProcess with_curve() {
+  GrindingProcess process = petrakov::sheet();
+  process.burn_curve = {{0.02, 0.12}, {0.05, 0.30}};
+  return process;
+}
+
+TEST(Boundary, FollowsACurveOfBurn) {
+  const GrindingProcess process = with_curve();
+  const Boundary boundary(process);
+  const double Q_max = equation_8();
+  struct Case {
+    double allowance_mm, expected;
+  };
+  for (const Case& c :
+       {Case{-0.001, 0.05}, Case{0.0, 0.05}, Case{0.01, 0.085}, Case{0.02, 0.12}, Case{0.035, 0.21},
+        Case{0.05, 0.30}, Case{0.07, 0.5 * (0.30 + Q_max)}, Case{0.09, Q_max}, Case{0.2, Q_max}}) {
+    EXPECT_NEAR(boundary.at(c.allowance_mm), c.expected, 1e-12) << c.allowance_mm;
+  }
+  EXPECT_NEAR(boundary.burn_line(0.13), Q_max + (Q_max - 0.30), 1e-12) << "as before its end";
+  for (const double allowance_mm : {0.3, 0.06, 0.015}) {
+    constexpr int slices = 300000;
+    double revolutions = 0.0;
+    for (int k = 0; k < slices; ++k) {
+      const double H = allowance_mm * (k + 0.5) / slices;
+      revolutions += allowance_mm / slices * (30.0 * 200.0 / 230.0) / boundary.at(H);
+    }
+    EXPECT_NEAR(least_time_s(process, allowance_mm), 0.5 * revolutions, 1e-5) << allowance_mm;
+  }
+}
+
+TEST(Boundary, SaysWhatIsWrongWithACurveOfBurn) {
+  const auto fault = [](const std::vector<BurnPoint>& curve) {
+    GrindingProcess process = petrakov::sheet();
+    process.burn_curve = curve;
+    const auto faults = boundary_faults(process, 0.3);
+    return faults.empty() ? std::string()
+                          : std::string(faults.front().key) + ": " + faults.front().text;
+  };
+  EXPECT_EQ(fault({{0.02, 0.12}, {0.05, 0.30}}), "");
+  EXPECT_NE(fault({{0.05, 0.12}, {0.02, 0.30}}).find("above the one before"), std::string::npos);
+  EXPECT_NE(fault({{0.02, 0.04}}).find("permits less"), std::string::npos);
+  EXPECT_NE(fault({{0.02, 0.12}, {0.09, 0.30}}).find("critical_allowance"), std::string::npos);
+  EXPECT_NE(fault({{0.02, 2.0}}).find("more than Q_max"), std::string::npos);
+}
+
 TEST(ForceLaw, IsItsOwnInverse) {
   const ForceLaw law(petrakov::sheet());
   for (const double removal : {1e-4, 0.05, 0.4, 3.0}) {

@@ -52,9 +52,18 @@ inline OraclePlunge run_plunge(const process::GrindingProcess& p, const process:
     if (way > 0.0) law_s += v0 == v1 ? way / v0 : way * std::log(v1 / v0) / (v1 - v0);
   }
   const double Q_max = std::pow(C * p.deflection_max_mm / K, 1.0 / p.force_exponent) / V;
+  // The burn line: straight, or through its points.
   const auto line = [&](double H) {
-    return p.removal_end_mm2_per_rad +
-           (Q_max - p.removal_end_mm2_per_rad) * std::max(H, 0.0) / p.critical_allowance_mm;
+    double H0 = 0.0;
+    double Q0 = p.removal_end_mm2_per_rad;
+    for (const process::BurnPoint& point : p.burn_curve) {
+      const double H1 = point.allowance_mm;
+      const double Q1 = point.removal_mm2_per_rad;
+      if (H <= H1) return Q0 + (Q1 - Q0) * (std::max(H, 0.0) - H0) / (H1 - H0);
+      H0 = H1;
+      Q0 = Q1;
+    }
+    return Q0 + (Q_max - Q0) * (std::max(H, 0.0) - H0) / (p.critical_allowance_mm - H0);
   };
   const double end_s = law_s + spark_out_revolutions * turn_s;
   const auto steps = static_cast<long>(std::llround(end_s / dt));

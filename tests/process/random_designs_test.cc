@@ -42,6 +42,12 @@ DesignRequest random_request(unsigned seed) {
                1.0 / p.force_exponent) /
       V;
   p.removal_end_mm2_per_rad = between(0.1, 0.3) * Q_max;
+  if (seed % 4 == 1) {
+    const double rise = Q_max - p.removal_end_mm2_per_rad;
+    const double first = between(0.05, 0.9);
+    p.burn_curve = {{0.3 * p.critical_allowance_mm, p.removal_end_mm2_per_rad + 0.5 * first * rise},
+                    {0.7 * p.critical_allowance_mm, p.removal_end_mm2_per_rad + first * rise}};
+  }
   request.staircase.points = static_cast<int>(between(1.0, 6.0));
   request.staircase.effort = StaircaseEffort::quick;
   request.comparison = Comparison::none;

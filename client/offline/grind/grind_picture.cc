@@ -1,6 +1,7 @@
 #include "client/offline/grind/grind_picture.h"
 
 #include <cmath>
+#include <ranges>
 #include <stdexcept>
 
 #include "recording/plot/gnuplot.h"
@@ -33,10 +34,11 @@ std::string law_block(const std::string& name, const process::GrindingProcess& p
 std::string boundary_block(const process::DesignRequest& request) {
   const Boundary boundary(request.process);
   std::string text = "$boundary << END\n";
-  for (const double H : {request.allowance_mm, request.process.critical_allowance_mm, 0.0,
-                         -process::overrun_max_mm(request.process)}) {
-    text += number(H) + " " + number(boundary.at(H)) + "\n";
-  }
+  const auto add = [&](double H) { text += number(H) + " " + number(boundary.at(H)) + "\n"; };
+  add(request.allowance_mm);
+  for (const process::BurnPoint& corner : std::views::reverse(boundary.corners()))
+    add(corner.allowance_mm);
+  add(-process::overrun_max_mm(request.process));
   return text + "END\n";
 }
 

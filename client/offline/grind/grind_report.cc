@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <ranges>
 
 #include "base/enum_names.h"
 #include "client/terminal/text_table.h"
@@ -54,9 +55,9 @@ ordered_json continuous_rows_json(const OptimalLaw& optimum) {
 ordered_json boundary_json(const process::DesignRequest& request) {
   const Boundary boundary(request.process);
   ordered_json points = ordered_json::array();
-  for (const double H : {request.allowance_mm, request.process.critical_allowance_mm, 0.0}) {
-    points.push_back({H, boundary.at(H)});
-  }
+  points.push_back({request.allowance_mm, boundary.at(request.allowance_mm)});
+  for (const process::BurnPoint& corner : std::views::reverse(boundary.corners()))
+    points.push_back({corner.allowance_mm, boundary.at(corner.allowance_mm)});
   return points;
 }
 
