@@ -1,5 +1,7 @@
 #include "config/files/chatter_file.h"
 
+#include <numbers>
+
 #include "config/text/flat_file.h"
 
 namespace stanok::config {
@@ -15,6 +17,7 @@ struct ChatterFile {
   std::string kind = "milling";
   std::string sense = "down";
   double width = 1.0;
+  double helix_deg = 0.0;
   CuttingProcess process{};
   Subtables modes_x = nullptr;
   Subtables modes_y = nullptr;
@@ -23,10 +26,12 @@ struct ChatterFile {
 const Keys<ChatterFile>& chatter_keys() {
   using F = ChatterFile;
   using P = CuttingProcess;
+  using G = process::GrindingContact;
   static const Keys<ChatterFile> keys = {
-      {"kind", at<&F::kind>, required, "", "the cut", one_of({"milling", "turning"})},
+      {"kind", at<&F::kind>, required, "", "the cut", one_of({"milling", "turning", "grinding"})},
       {"force", at<&F::process, &P::force_n_per_mm2>, required, "N/mm2",
-       "specific cutting force: tangential; turning: along the thickness of the chip",
+       "specific cutting force: tangential; turning: along the thickness of the chip; grinding: "
+       "normal force for a unit of width and layer",
        from(1.0, 1e5)},
       {"radial_ratio", at<&F::process, &P::radial_ratio>, optional, "",
        "milling: radial force as a part of the tangential one", from(0.0, 5.0)},
@@ -36,8 +41,30 @@ const Keys<ChatterFile>& chatter_keys() {
        one_of({"up", "down"})},
       {"width", at<&F::width>, optional, "", "milling: width of cut as a part of the diameter",
        from(0.001, 1.0)},
+      {"helix", at<&F::helix_deg>, optional, "deg",
+       "milling, forces along a program: angle of the helix", from(0.0, 70.0)},
+      {"edge_force", at<&F::process, &P::edge_n_per_mm>, optional, "N/mm",
+       "milling, forces along a program: tangential force of an edge that takes no chip",
+       from(0.0, 1e4)},
+      {"edge_force_radial", at<&F::process, &P::edge_radial_n_per_mm>, optional, "N/mm",
+       "the same, radial", from(0.0, 1e4)},
+      {"part_radius", at<&F::process, &P::grinding, &G::part_radius_mm>, optional, "mm",
+       "grinding, needed there: radius of the part", from(0.1, 1e4), "none"},
+      {"wheel_radius", at<&F::process, &P::grinding, &G::wheel_radius_mm>, optional, "mm",
+       "grinding, needed there: radius of the wheel", from(0.1, 1e4), "none"},
+      {"wheel_speed", at<&F::process, &P::grinding, &G::wheel_rev_per_min>, optional, "rev/min",
+       "grinding, needed there: speed of the wheel", from(1.0, 1e6), "none"},
+      {"contact_length", at<&F::process, &P::grinding, &G::length_mm>, optional, "mm",
+       "grinding: length of the contact of wheel and part; shorter waves are evened out",
+       from(0.0, 100.0)},
+      {"contact_stiffness", at<&F::process, &P::grinding, &G::stiffness_n_per_mm2>, optional,
+       "N/mm2", "grinding: stiffness of the contact for a unit of width; 0: rigid", from(0.0, 1e7)},
+      {"grinding_ratio", at<&F::process, &P::grinding, &G::grinding_ratio>, optional, "",
+       "grinding: volume of part ground for one of wheel; 0: the wheel does not wear",
+       from(0.0, 1e6)},
       {"mode_x", at<&F::modes_x>, optional, "",
-       "vibrations along the feed; turning: along the thickness of the chip"},
+       "vibrations along the feed; turning: along the thickness of the chip; grinding: along the "
+       "infeed"},
       {"mode_y", at<&F::modes_y>, optional, "", "milling: vibrations across the feed"},
   };
   return keys;
@@ -67,11 +94,26 @@ std::vector<VibrationMode> read_modes(Subtables tables, const Scope& scope) {
   return modes;
 }
 
+CutKind kind_named(const std::string& name) {
+  if (name == "turning") return CutKind::turning;
+  return name == "grinding" ? CutKind::grinding : CutKind::milling;
+}
+
+void check_grinding(const toml::table& table, const CuttingProcess& process, const Scope& scope) {
+  if (process.kind != CutKind::grinding) return;
+  for (const char* const key : {"part_radius", "wheel_radius", "wheel_speed"}) {
+    if (!table.contains(key))
+      scope.fault(table.source(), std::string(key) + " is missing; grinding needs it");
+  }
+}
+
 void check_modes(const toml::table& table, const CuttingProcess& process, const Scope& scope) {
-  if (process.kind == CutKind::turning && !process.modes_y.empty()) {
+  if (process.kind != CutKind::milling && !process.modes_y.empty()) {
     scope.fault(place_of(table, "mode_y"),
-                "a turning cut has vibrations along the thickness of the chip only; give them as "
-                "[[mode_x]]");
+                process.kind == CutKind::turning
+                    ? "a turning cut has vibrations along the thickness of the chip only; give "
+                      "them as [[mode_x]]"
+                    : "grinding has vibrations along the infeed only; give them as [[mode_x]]");
   }
   const std::size_t count = process.modes_x.size() + process.modes_y.size();
   if (count > VibrationMode::count_max) {
@@ -90,12 +132,14 @@ CuttingProcess read_chatter_file(const std::filesystem::path& file) {
   CuttingProcess& process = content.process;
   read_flat_file(file, chatter_keys(), "cut", content,
                  [&](const toml::table& table, const Scope& scope) {
-                   process.kind = content.kind == "turning" ? CutKind::turning : CutKind::milling;
+                   process.kind = kind_named(content.kind);
                    process.modes_x = read_modes(content.modes_x, scope.inner("[[mode_x]]"));
                    process.modes_y = read_modes(content.modes_y, scope.inner("[[mode_y]]"));
                    scope.faults.throw_if_any();
                    check_modes(table, process, scope);
+                   check_grinding(table, process, scope);
                  });
+  process.helix_rad = content.helix_deg * std::numbers::pi / 180.0;
   process::engage(process,
                   content.sense == "up" ? process::MillingSense::up : process::MillingSense::down,
                   content.width);

@@ -19,6 +19,10 @@ using recording::number;
 
 constexpr double shown_max = 5.0;  // of the depth that is always stable: height of the picture
 
+bool is_grinding(const LobesStudy& study) {
+  return study.kind == process::CutKind::grinding;
+}
+
 std::string depth_text(double depth_mm) {
   return std::isfinite(depth_mm) ? fmt::format("{:.3f}", depth_mm) : "any";
 }
@@ -83,7 +87,8 @@ std::string to_text(const LobesStudy& study) {
   std::string text =
       fmt::format("stable at every speed up to {} mm\n", depth_text(study.always_mm));
   if (!study.best.empty()) {
-    TextTable table({"speed, rev/min", "depth, mm", "chatter, Hz"});
+    TextTable table(
+        {"speed, rev/min", is_grinding(study) ? "width, mm" : "depth, mm", "chatter, Hz"});
     for (const LimitAt& limit : study.best) {
       table.add_row({fmt::format("{:.0f}", limit.speed_rev_per_min), depth_text(limit.depth_mm),
                      limit.chatter_hz > 0.0 ? fmt::format("{:.1f}", limit.chatter_hz) : "-"});
@@ -148,8 +153,11 @@ std::string picture_script(const LobesStudy& study, const std::filesystem::path&
       "set encoding utf8\nset border 3 lc rgb '#9aa3a9' lw 1\n"
       "set tics nomirror out scale 0.6 textcolor rgb '#4a4f54'\n"
       "set grid lc rgb '#e7eaec' lw 1 lt 1\nset logscale x\n"
-      "set key outside top right horizontal Left reverse samplen 2 textcolor rgb '#2b2f33'\n"
-      "set xlabel 'speed of the spindle [rev/min]'\nset ylabel 'depth of cut [mm]'\n";
+      "set key outside top right horizontal Left reverse samplen 2 textcolor rgb '#2b2f33'\n";
+  text += is_grinding(study) ? "set xlabel 'speed of the part [rev/min]'\n"
+                               "set ylabel 'width of grinding [mm]'\n"
+                             : "set xlabel 'speed of the spindle [rev/min]'\n"
+                               "set ylabel 'depth of cut [mm]'\n";
   const double from = study.limits.front().speed_rev_per_min;
   const double to = study.limits.back().speed_rev_per_min;
   text += marks(from, to) + "set xrange [" + number(from) + ":" + number(to) +

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "process/chatter/grinding_lobes.h"
 
 namespace stanok::client {
 namespace {
@@ -21,13 +24,17 @@ class Limits {
  public:
   explicit Limits(const LobesRequest& request)
       : method_(request.method), lobes_(request.process), motion_(request.process) {
+    if (request.process.kind == process::CutKind::grinding) {
+      grinding_.emplace(request.process);
+      return;
+    }
     const auto least = lobes_.least_limit();
     depth_max_ = least ? depth_seen * least->depth_mm : unlimited;
   }
 
   [[nodiscard]] LimitAt at(double speed) const {
-    const auto limit = lobes_.limit_at(speed);
-    if (method_ == LobesMethod::zeroth_order || depth_max_ == unlimited) {
+    const auto limit = grinding_ ? grinding_->limit_at(speed) : lobes_.limit_at(speed);
+    if (grinding_ || method_ == LobesMethod::zeroth_order || depth_max_ == unlimited) {
       if (!limit) return {.speed_rev_per_min = speed, .depth_mm = unlimited};
       return {
           .speed_rev_per_min = speed, .depth_mm = limit->depth_mm, .chatter_hz = limit->chatter_hz};
@@ -40,6 +47,7 @@ class Limits {
   LobesMethod method_;
   StabilityLobes lobes_;
   SemiDiscretisation motion_;
+  std::optional<process::GrindingLobes> grinding_;
   double depth_max_ = 0.0;
 };
 
@@ -83,6 +91,7 @@ PlannedCut judge(const LobePoint& cut, const Limits& limits, const std::vector<L
 LobesStudy study_lobes(const LobesRequest& request) {
   const Limits limits(request);
   LobesStudy study;
+  study.kind = request.process.kind;
   study.always_mm = unlimited;
   for (int k = 0; k < request.count; ++k) {
     study.limits.push_back(limits.at(speed_at(request, k)));

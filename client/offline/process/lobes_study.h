@@ -1,4 +1,6 @@
 // LobesStudy: stability lobes over a range of speeds, and what to make of them.
+//
+// Of grinding the speed is that of the part, and the depth is the width of the ground surface.
 #pragma once
 
 #include <string>
@@ -38,6 +40,7 @@ struct PlannedCut {
 };
 
 struct LobesStudy {
+  process::CutKind kind = process::CutKind::milling;
   std::vector<LimitAt> limits;  // by speed
   double always_mm = 0.0;       // stable at every speed of the range
   std::vector<LimitAt> best;    // the highest of each lobe, the highest first
