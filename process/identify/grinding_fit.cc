@@ -14,8 +14,37 @@ namespace {
 constexpr double confidence_of_grinding = 1.96;
 constexpr std::size_t grind_readings_least = 50;
 constexpr double grind_step_max_s = 0.0005;
+constexpr double lag_begin_s = 0.01;
+constexpr double lag_scale_s = 0.02;
 
-enum GrindPlace : Eigen::Index { ln_stiffness, ln_factor, alpha, idle, grind_parameters };
+// As a sensor of that lag shows it at the end of each cycle, the input straight between two of
+// them; a lag below 0 shows it ahead.
+std::vector<double> as_shown(const std::vector<double>& input, double lag_s, double cycle_s) {
+  std::vector<double> shown = input;
+  if (lag_s < 0.0) {
+    const double cycles = std::min(-lag_s / cycle_s, static_cast<double>(input.size()));
+    const auto whole = checked_size(std::floor(cycles));
+    const double part = cycles - static_cast<double>(whole);
+    for (std::size_t k = 0; k < input.size(); ++k) {
+      const double from = input[std::min(k + whole, input.size() - 1)];
+      const double to = input[std::min(k + whole + 1, input.size() - 1)];
+      shown[k] = from + part * (to - from);
+    }
+    return shown;
+  }
+  const double kept = lag_s > 0.0 ? std::exp(-cycle_s / lag_s) : 0.0;
+  const double behind = lag_s / cycle_s * (1.0 - kept);
+  double input_before = 0.0;  // the record begins in the air
+  double shown_before = 0.0;
+  for (std::size_t k = 0; k < input.size(); ++k) {
+    shown[k] = kept * (shown_before - input_before) + input[k] - behind * (input[k] - input_before);
+    input_before = input[k];
+    shown_before = shown[k];
+  }
+  return shown;
+}
+
+enum GrindPlace : Eigen::Index { ln_stiffness, ln_factor, alpha, idle, lag, grind_parameters };
 
 class GrindModel {
  public:
@@ -27,7 +56,7 @@ class GrindModel {
 
   [[nodiscard]] const std::vector<std::size_t>& readings() const { return readings_; }
 
-  // Of the cut at the end of each cycle.
+  // Of the cut, as it is shown at the end of each cycle.
   [[nodiscard]] std::vector<double> cut_w(const Parameters& p) const {
     GrindingProcess process = sheet_;
     process.stiffness_n_per_m = std::exp(p[ln_stiffness]);
@@ -56,7 +85,7 @@ class GrindModel {
       const double force_n = system.force_n() + part * (system.force_n() - force_before_n);
       power.push_back(record_.watts_per_newton * std::max(0.0, force_n));
     }
-    return power;
+    return as_shown(power, p[lag], record_.cycle_s);
   }
 
  private:
@@ -97,7 +126,9 @@ Expected<GrindingFit, std::string> fit_grinding(const GrindRecord& record,
   begin[ln_factor] = std::log(sheet.force_factor);
   begin[alpha] = sheet.force_exponent;
   begin[idle] = record.rows[model.readings().front()].power_w;
+  begin[lag] = lag_begin_s;
   Parameters scale = Parameters::Constant(grind_parameters, 1.0);
+  scale[lag] = lag_scale_s;
   scale[idle] = std::max(1.0, std::abs(begin[idle]));
   LeastSquares fit{.values = begin};
   std::vector<double> deviation(model.readings().size(), 1.0);
@@ -132,6 +163,7 @@ Expected<GrindingFit, std::string> fit_grinding(const GrindRecord& record,
   grinding.force_factor = grind_estimate(fit, ln_factor);
   grinding.force_exponent = grind_estimate(fit, alpha);
   grinding.idle_w = grind_estimate(fit, idle);
+  grinding.lag_s = grind_estimate(fit, lag);
   grinding.fitted_w = model.cut_w(fit.values);
   double sum = 0.0;
   for (double& value : grinding.fitted_w) value += fit.values[idle];

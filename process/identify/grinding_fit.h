@@ -2,10 +2,11 @@
 // coefficient and exponent of the force law.
 //
 // The cycle is run again on the model of process/grinding with the recorded X, and the power of the
-// wheel spindle is N_0 + g P, g being the watts of a newton of normal force: force ratio times
-// wheel speed over efficiency. Steps of the feed tell the exponent, what decays in the spark-out
-// tells the coefficient over the stiffness, the height of the power both, as g is given. Each value
-// has its interval of 95 %. Off line.
+// wheel spindle is N_0 + L[g P], g being the watts of a newton of normal force, force ratio times
+// wheel speed over efficiency, and L a lag of first order of the sensor. Steps of the feed tell the
+// exponent, what decays in the spark-out tells the coefficient over the stiffness, the height of
+// the power both, as g is given, the moment of the touch the lag. Each value has its interval of 95
+// %. Off line.
 #pragma once
 
 #include <limits>
@@ -36,6 +37,7 @@ struct GrindingFit {
   Estimate force_factor;  // C_p
   Estimate force_exponent;
   Estimate idle_w;
+  Estimate lag_s;  // may be a cycle below 0: when in a cycle a value is read is not known
   double noise = 0.0;
   double residual_w = 0.0;
   std::vector<double> fitted_w;  // by row

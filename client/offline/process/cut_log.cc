@@ -5,11 +5,12 @@
 #include <stanok_messages/process_status_t.hpp>
 #include <stanok_messages/setpoint_t.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "base/place.h"
+#include "client/offline/process/power_readings.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
-#include "recording/format/encode_input_record.h"
 #include "recording/read/log_contents.h"
 
 namespace stanok::client {
@@ -93,11 +94,6 @@ class CutSurface {
   double depth_mm_ = 0.0;    // there
 };
 
-struct Reading {
-  std::int64_t cycle = 0;
-  double power_w = 0.0;
-};
-
 // Where the spindle has kept its speed for a while, and turns: a ramp takes power of its own.
 std::vector<bool> steady_rows(const process::CutRecord& record) {
   constexpr double settled_s = 0.5;
@@ -112,25 +108,6 @@ std::vector<bool> steady_rows(const process::CutRecord& record) {
   return steady;
 }
 
-// A log has changes only: between two of them the sensor has shown the first value with each poll.
-void hold_readings(std::vector<Reading>& readings) {
-  if (readings.size() < 3) return;
-  std::vector<std::int64_t> gaps;
-  for (std::size_t k = 1; k < readings.size(); ++k)
-    gaps.push_back(readings[k].cycle - readings[k - 1].cycle);
-  std::ranges::nth_element(gaps, gaps.begin() + std::ssize(gaps) / 2);
-  const std::int64_t poll = std::max<std::int64_t>(1, gaps[gaps.size() / 2]);
-  std::vector<Reading> all;
-  for (std::size_t k = 0; k + 1 < readings.size(); ++k) {
-    all.push_back(readings[k]);
-    for (std::int64_t cycle = readings[k].cycle + poll; cycle < readings[k + 1].cycle;
-         cycle += poll)
-      all.push_back({.cycle = cycle, .power_w = readings[k].power_w});
-  }
-  all.push_back(readings.back());
-  readings = std::move(all);
-}
-
 // Takes the events of a log one after the other.
 class CutReading {
  public:
@@ -139,16 +116,15 @@ class CutReading {
       : axes_(tool_axes(contents, channel)),
         setpoints_(contents.setpoint_channels.at(channel)),
         channel_(channel),
-        spindle_(spindle),
+        readings_(spindle),
         surface_(stock) {
     log_.record.cycle_s = contents.description->cycle_us * 1e-6;
   }
 
   void take(const recording::LogEvent& event) {
     const std::string_view topic = recording::topic_of(event.channel);
-    if (topic == recording::name_of(recording::Topic::input)) {
-      if (const auto message = recording::decode<input_t>(event.bytes)) take_input(*message);
-    } else if (topic == recording::name_of(recording::Topic::process)) {
+    readings_.take(event);
+    if (topic == recording::name_of(recording::Topic::process)) {
       const auto message = recording::decode<process_status_t>(event.bytes);
       if (message && message->channel == channel_) rev_per_min_ = std::abs(message->spindle_speed);
     } else if (event.channel == setpoints_) {
@@ -156,12 +132,11 @@ class CutReading {
     }
   }
 
-  [[nodiscard]] bool has_power() const { return !readings_.empty(); }
+  [[nodiscard]] bool has_power() const { return !readings_.is_empty(); }
   CutLog end() {
-    hold_readings(readings_);
     const std::vector<bool> is_steady = steady_rows(log_.record);
     // What a cycle was given is what the cycle before had made.
-    for (const Reading& reading : readings_) {
+    for (const PowerReading& reading : readings_.held()) {
       const std::int64_t row = reading.cycle - 1 - first_cycle_;
       if (row >= 0 && std::cmp_less(row, log_.record.rows.size()) && is_steady[checked_size(row)])
         log_.record.rows[checked_size(row)].power_w = reading.power_w;
@@ -170,15 +145,6 @@ class CutReading {
   }
 
  private:
-  void take_input(const input_t& message) {
-    const channels::InputRecord record = recording::from_input(message);
-    const auto* const input = std::get_if<channels::SpindleInput>(&record.content);
-    if (input == nullptr || input->spindle != spindle_ ||
-        input->quantity != channels::SpindleQuantity::power_w)
-      return;
-    readings_.push_back({.cycle = record.cycle, .power_w = input->value});
-  }
-
   void take_setpoint(const setpoint_t& message) {
     if (first_cycle_ < 0) first_cycle_ = message.cycle;
     const double x = message.tip_position[axes_.x];
@@ -195,10 +161,9 @@ class CutReading {
   ToolAxes axes_;
   std::string setpoints_;
   int channel_;
-  int spindle_;
+  PowerReadings readings_;
   CutSurface surface_;
   CutLog log_;
-  std::vector<Reading> readings_;
   std::int64_t first_cycle_ = -1;
   double rev_per_min_ = 0.0;
 };

@@ -1,14 +1,19 @@
 #include "client/offline/process/identify_command.h"
 
-#include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 
+#include "client/offline/process/grind_fit_report.h"
 #include "client/offline/process/identify_report.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"
+#include "config/files/grinding_file.h"
 
 namespace stanok::client {
 namespace {
@@ -22,6 +27,11 @@ struct IdentifyOptions {
   std::string out;
   std::string picture;
   bool json = false;
+  std::string grinding;  // process file; empty: a turning cut
+  double touch_mm = std::numeric_limits<double>::quiet_NaN();
+  double force_ratio = 0.4;
+  double wheel_speed_m_per_s = 35.0;
+  double efficiency = 0.85;
 };
 
 std::optional<StockStep> stock_step(const std::string& text) {
@@ -47,7 +57,39 @@ std::vector<StockStep> stock_of(const IdentifyOptions& options) {
   return stock;
 }
 
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path + "; check the path");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+int run_grinding(const IdentifyOptions& options) {
+  const process::DesignRequest sheet = config::read_grinding_file(options.grinding);
+  GrindLogRequest request{
+      .channel = options.channel,
+      .spindle = options.spindle - 1,
+      .allowance_mm = sheet.allowance_mm,
+      .watts_per_newton = options.force_ratio * options.wheel_speed_m_per_s / options.efficiency};
+  if (std::isfinite(options.touch_mm)) request.touch_mm = options.touch_mm;
+  const GrindLog log = read_grind_log(options.log, request);
+  const auto fit = process::fit_grinding(log.record, sheet.process);
+  if (!fit) throw std::runtime_error(fit.error());
+  const GrindFitReport report{.log = log, .fit = *fit};
+  if (!options.out.empty())
+    write_text_file(options.out, with_figures(text_of(options.grinding), *fit));
+  if (!options.picture.empty()) draw_picture(report, options.picture);
+  if (options.json) {
+    write_json(to_json(report));
+  } else {
+    write_data(to_text(report));
+  }
+  return 0;
+}
+
 int run_identify(const IdentifyOptions& options) {
+  if (!options.grinding.empty()) return run_grinding(options);
+  if (options.stock.empty())
+    throw CLI::RequiredError("--stock of a turning cut, or --grinding of a plunge cycle");
   const CutLog log =
       read_cut_log(options.log, options.channel, options.spindle - 1, stock_of(options));
   const auto fit = process::fit_turning(log.record);
@@ -69,16 +111,14 @@ void add_identify_command(CLI::App& noun, int& exit_code) {
   const auto options = std::make_shared<IdentifyOptions>();
   CLI::App* command = noun.add_subcommand(
       "identify",
-      "idle power, cutting coefficient, exponent and lag from the log of a turning cut");
+      "idle power, coefficient and exponent of the force from the log of a cut; turning: the lag "
+      "of the sensor, grinding: the stiffness");
   command->add_option("LOG", options->log, "log of a cut")->required()->type_name("FILE");
-  command
-      ->add_option("--stock", options->stock,
-                   "the bar before the cut, in the frame of the program: from Z on this radius, mm")
-      ->required()
-      ->type_name("Z:RADIUS")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--channel", options->channel, "channel of the lathe")
+  CLI::Option* const stock = command->add_option(
+      "--stock", options->stock,
+      "turning: the bar before the cut, in the frame of the program: from Z on this radius, mm");
+  stock->type_name("Z:RADIUS")->delimiter(',');
+  command->add_option("--channel", options->channel, "channel of the cut")
       ->check(CLI::Range(1, 16));
   command->add_option("--spindle", options->spindle, "spindle of the machine, from 1 on")
       ->check(CLI::Range(1, 16));
@@ -86,7 +126,33 @@ void add_identify_command(CLI::App& noun, int& exit_code) {
       ->add_option("--coefficient", options->coefficient_n,
                    "C of the material, N at 1 mm depth and 1 mm per turn: tells the efficiency")
       ->check(CLI::PositiveNumber);
-  command->add_option("--out", options->out, "[process] section to write")->type_name("FILE");
+  CLI::Option* const grinding =
+      command
+          ->add_option("--grinding", options->grinding,
+                       "a plunge cycle of this process file; --spindle is that of the wheel")
+          ->type_name("FILE")
+          ->excludes(stock);
+  command
+      ->add_option("--touch", options->touch_mm,
+                   "X of the program at which the wheel touches, mm; default: the allowance")
+      ->needs(grinding);
+  command
+      ->add_option("--force-ratio", options->force_ratio,
+                   "tangential over normal force of the wheel (0.4)")
+      ->check(CLI::Range(0.05, 2.0))
+      ->needs(grinding);
+  command
+      ->add_option("--wheel-speed", options->wheel_speed_m_per_s,
+                   "surface speed of the wheel, m/s (35)")
+      ->check(CLI::Range(1.0, 200.0))
+      ->needs(grinding);
+  command->add_option("--efficiency", options->efficiency, "of the drive of the wheel (0.85)")
+      ->check(CLI::Range(0.1, 1.0))
+      ->needs(grinding);
+  command
+      ->add_option("--out", options->out,
+                   "[process] section to write; --grinding: the process file with the new figures")
+      ->type_name("FILE");
   command->add_option("--picture", options->picture, "power and residual, .svg or .png")
       ->type_name("FILE")
       ->check(picture_name_fault);

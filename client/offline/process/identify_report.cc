@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
+#include "client/offline/process/power_picture.h"
 #include "client/terminal/text_table.h"
-#include "recording/plot/gnuplot.h"
 
 namespace stanok::client {
 namespace {
@@ -17,10 +16,6 @@ namespace {
 using nlohmann::ordered_json;
 using process::Estimate;
 using process::TurningFit;
-using recording::gnuplot_text;
-using recording::number;
-
-constexpr std::size_t shown_points_max = 6000;
 
 ordered_json estimate_json(const Estimate& estimate) {
   return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
@@ -40,26 +35,14 @@ Estimate efficiency_of(const IdentifyReport& report) {
           .high = report.coefficient_n / quotient.low};
 }
 
-// Time, reading, fit and what is left of them.
-std::string rows_of_picture(const IdentifyReport& report) {
-  std::vector<std::size_t> rows;
-  for (std::size_t k = 0; k < report.log.record.rows.size(); ++k)
-    if (std::isfinite(report.log.record.rows[k].power_w)) rows.push_back(k);
-  const std::size_t stride = 1 + rows.size() / shown_points_max;
-  std::string text = "$power << END\n";
-  for (std::size_t k = 0; k < rows.size(); k += stride) {
-    const double power = report.log.record.rows[rows[k]].power_w;
-    const double fitted = report.fit.fitted_w[rows[k]];
-    text += number(report.log.time_s[rows[k]]) + " " + number(power) + " " + number(fitted) + " " +
-            number(power - fitted) + "\n";
+std::vector<PowerPoint> points_of(const IdentifyReport& report) {
+  std::vector<PowerPoint> points;
+  for (std::size_t k = 0; k < report.log.record.rows.size(); ++k) {
+    const double power = report.log.record.rows[k].power_w;
+    if (std::isfinite(power))
+      points.push_back({report.log.time_s[k], power, report.fit.fitted_w[k]});
   }
-  return text + "END\n";
-}
-
-std::string panel(const char* title, const char* label, const std::string& plot) {
-  return "set label 1 " + gnuplot_text(title) +
-         " at graph 0, graph 1.08 left font ',15' textcolor rgb '#2b2f33'\nset ylabel " +
-         gnuplot_text(label) + "\nplot " + plot + "\n";
+  return points;
 }
 
 }  // namespace
@@ -128,31 +111,8 @@ std::string process_section(const IdentifyReport& report) {
   return text;
 }
 
-std::string picture_script(const IdentifyReport& report, const std::filesystem::path& file) {
-  const bool is_png = file.extension() == ".png";
-  std::string text = rows_of_picture(report);
-  text += std::string("set terminal ") +
-          (is_png ? "pngcairo enhanced background rgb 'white' font 'Sans,12'"
-                  : "svg enhanced background rgb 'white' font 'Sans,14'") +
-          " size 1100,800\nset output " + gnuplot_text(std::filesystem::absolute(file).string()) +
-          "\nset encoding utf8\nset border 3 lc rgb '#9aa3a9' lw 1\n"
-          "set tics nomirror out scale 0.6 textcolor rgb '#4a4f54'\n"
-          "set grid lc rgb '#e7eaec' lw 1 lt 1\n"
-          "set key at graph 1, graph 1.13 right top horizontal maxrows 1 Left reverse samplen 2 "
-          "textcolor rgb '#2b2f33'\n"
-          "set multiplot layout 2,1 margins 0.08,0.96,0.08,0.93 spacing 0,0.13\n";
-  text += panel("Power of the spindle", "N_d [W]",
-                "$power using 1:2 with points pt 7 ps 0.25 lc rgb '#9aa3a9' title 'recorded', \\\n"
-                "  $power using 1:3 with lines lw 1.5 lc rgb '#1f4e79' title 'model'");
-  text += "set xlabel 'time [s]'\n";
-  text += panel("What the model leaves", "recorded - model [W]",
-                "$power using 1:4 with points pt 7 ps 0.25 lc rgb '#c8553d' title 'residual'");
-  return text + "unset multiplot\nunset output\n";
-}
-
 void draw_picture(const IdentifyReport& report, const std::filesystem::path& file) {
-  if (const auto error = recording::draw(picture_script(report, file)))
-    throw std::runtime_error("cannot draw " + file.string() + ": " + error->text);
+  draw_power_picture(points_of(report), file);
 }
 
 }  // namespace stanok::client

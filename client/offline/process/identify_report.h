@@ -22,8 +22,6 @@ struct IdentifyReport {
 // [process] of a machine file, as far as the log tells it, each value with its interval.
 [[nodiscard]] std::string process_section(const IdentifyReport& report);
 
-[[nodiscard]] std::string picture_script(const IdentifyReport& report,
-                                         const std::filesystem::path& file);
 void draw_picture(const IdentifyReport& report, const std::filesystem::path& file);
 
 }  // namespace stanok::client

@@ -1,0 +1,33 @@
+// What the power sensor of a spindle has shown, out of a log.
+//
+// A log has changes only: between two of them the sensor has shown the first value with each poll.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "recording/log/log_reader.h"
+
+namespace stanok::client {
+
+struct PowerReading {
+  std::int64_t cycle = 0;  // that was given the value
+  double power_w = 0.0;
+};
+
+class PowerReadings {
+ public:
+  // `spindle`: of the machine, from 0 on.
+  explicit PowerReadings(int spindle) : spindle_(spindle) {}
+
+  void take(const recording::LogEvent& event);
+  [[nodiscard]] bool is_empty() const { return changes_.empty(); }
+  // With those of the polls that showed what the one before had shown.
+  [[nodiscard]] std::vector<PowerReading> held() const;
+
+ private:
+  int spindle_;
+  std::vector<PowerReading> changes_;
+};
+
+}  // namespace stanok::client
