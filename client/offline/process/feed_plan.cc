@@ -37,8 +37,8 @@ std::vector<FeedStretch> plan_feeds(const std::vector<CutPlace>& places, const F
   // One turn ahead, which is as long as the feed there.
   std::vector<double> allowed = permitted;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    const double from = places[k].way_mm - permitted[k];
-    for (std::size_t reached = k; reached > 0 && places[reached].way_mm > from; --reached)
+    const double from = places[k].distance_mm - permitted[k];
+    for (std::size_t reached = k; reached > 0 && places[reached].distance_mm > from; --reached)
       allowed[reached - 1] = std::min(allowed[reached - 1], permitted[k]);
   }
   std::vector<FeedStretch> stretches;
@@ -47,7 +47,7 @@ std::vector<FeedStretch> plan_feeds(const std::vector<CutPlace>& places, const F
     const bool goes_on = !stretches.empty() && feed >= stretches.back().feed_per_rev &&
                          feed <= stretches.back().feed_per_rev * (1.0 + same_feed);
     if (goes_on) continue;
-    stretches.push_back({places[k].way_mm, feed});
+    stretches.push_back({places[k].distance_mm, feed});
   }
   return stretches;
 }

@@ -2,8 +2,8 @@
 // block will meet.
 //
 //   F = C t h^y k,  k = (HB / HB_0)^e
-// h is the way over the last turn: where the cut becomes heavier the feed has to be lower one turn
-// ahead, where it becomes lighter it may rise there. A pure function of its inputs.
+// h is the distance over the last turn: where the cut becomes heavier the feed has to be lower one
+// turn ahead, where it becomes lighter it may rise there. A pure function of its inputs.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ struct ForceModel {
 
 // What the tool meets at a place of its block.
 struct CutPlace {
-  double way_mm = 0.0;  // from the begin of the block
+  double distance_mm = 0.0;  // along the block
   double depth_mm = 0.0;
   double factor = 1.0;  // k
 };
@@ -32,14 +32,14 @@ struct FeedLimits {  // mm per turn
   double step = 0.001;  // feeds are multiples of it
 };
 
-// From this way on, this feed.
+// From this distance on, this feed.
 struct FeedStretch {
   double begin_mm = 0.0;
   double feed_per_rev = 0.0;
 };
 
-// `places`: of a block, ascending, from way 0 on. Stretches are as few as keep the force within a
-// hundredth below its set value.
+// `places`: of a block, ascending, from distance 0 on. Stretches are as few as keep the force
+// within a hundredth below its set value.
 [[nodiscard]] std::vector<FeedStretch> plan_feeds(const std::vector<CutPlace>& places,
                                                   const ForceModel& model, double force_n,
                                                   const FeedLimits& limits);

@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <variant>
 
 #include "base/place.h"
+#include "client/offline/process/program_text.h"
 #include "client/terminal/diagnostic_output.h"
 #include "plant/cutting/stock.h"
 #include "runtime/dry_run.h"
@@ -40,25 +38,6 @@ struct FeedBlock {
   bool is_per_revolution = false;
 };
 
-std::map<std::uint32_t, std::string> lines_of(const std::string& program) {
-  std::ifstream file(program, std::ios::binary);
-  std::map<std::uint32_t, std::string> lines;
-  std::string line;
-  for (std::uint32_t number = 1; std::getline(file, line); ++number) lines[number] = line;
-  return lines;
-}
-
-// Of a line of words and numbers; nothing: it has none, or an expression.
-std::optional<double> word_value(const std::string& line, char word) {
-  const std::size_t place = line.find(word);
-  if (place == std::string::npos) return std::nullopt;
-  double value = 0.0;
-  const char* const begin = line.data() + place + 1;
-  if (std::from_chars(begin, line.data() + line.size(), value).ec != std::errc{})
-    return std::nullopt;
-  return value;
-}
-
 plant::Stock stock_of(const config::CuttingConfig& cutting) {
   if (cutting.stock.empty())
     throw std::runtime_error(
@@ -74,7 +53,7 @@ class ForecastRun {
         cutting_(machine_.simulation.cutting),
         stock_(stock_of(cutting_)),
         model_{.coefficient_n = cutting_.specific_force_n, .exponent = cutting_.feed_exponent},
-        text_lines_(lines_of(request.program)) {}
+        text_(request.program) {}
 
   ForceForecast run() {
     const LocatedProgram located = locate(request_.program);
@@ -152,14 +131,14 @@ class ForecastRun {
       const ToolPlace place{.x_mm = block.begin.x_mm + part * (block.end.x_mm - block.begin.x_mm),
                             .z_mm = block.begin.z_mm + part * (block.end.z_mm - block.begin.z_mm)};
       const plant::Stock::Cut cut = stock_.move_tool(place.x_mm, place.z_mm);
-      const double way = length * static_cast<double>(k) / static_cast<double>(count);
+      const double along = length * static_cast<double>(k) / static_cast<double>(count);
       const double factor = cut.hardness_hb > 0.0 ? std::pow(cut.hardness_hb / cutting_.hardness_hb,
                                                              cutting_.hardness_exponent)
                                                   : 1.0;
-      cuts.push_back({.way_mm = way, .depth_mm = cut.depth_mm, .factor = factor});
+      cuts.push_back({.distance_mm = along, .depth_mm = cut.depth_mm, .factor = factor});
       forecast_.places.push_back(
           {.line = block.line,
-           .path_mm = path_mm_ + way,
+           .path_mm = path_mm_ + along,
            .x_mm = place.x_mm,
            .z_mm = place.z_mm,
            .depth_mm = cut.depth_mm,
@@ -203,7 +182,8 @@ class ForecastRun {
     std::size_t stretch = 0;
     constexpr double m_per_mm = 1e-3;
     for (std::size_t k = 0; k < cuts.size(); ++k) {
-      while (stretch + 1 < stretches.size() && stretches[stretch + 1].begin_mm <= cuts[k].way_mm)
+      while (stretch + 1 < stretches.size() &&
+             stretches[stretch + 1].begin_mm <= cuts[k].distance_mm)
         ++stretch;
       ForcePlace& place = forecast_.places[first + k];
       place.feed = stretches[stretch].feed_per_rev;
@@ -216,9 +196,9 @@ class ForecastRun {
   // A block along Z whose Z is programmed as it is in the frame of the stock can be divided.
   [[nodiscard]] bool is_divisible(const FeedBlock& block) const {
     constexpr double same_mm = 1e-6;
-    const auto line = text_lines_.find(block.line);
-    if (line == text_lines_.end() || block.end.x_mm != block.begin.x_mm) return false;
-    const auto z = word_value(line->second, 'Z');
+    const std::string* const line = text_.line(block.line);
+    if (line == nullptr || block.end.x_mm != block.begin.x_mm) return false;
+    const auto z = ProgramText::value(*line, 'Z');
     return z && std::abs(*z - block.end.z_mm) < same_mm;
   }
   static std::string words_at(const FeedBlock& block, double part) {
@@ -240,7 +220,7 @@ class ForecastRun {
   bool is_placed_ = false;
   double rev_per_min_ = 0.0;
   double path_mm_ = 0.0;
-  std::map<std::uint32_t, std::string> text_lines_;
+  ProgramText text_;
   std::set<std::uint32_t> planned_;
   std::map<std::uint32_t, std::string> kept_;  // F of blocks that keep it
   ForceForecast forecast_;

@@ -10,8 +10,10 @@
 #include <stdexcept>
 
 #include "client/offline/process/force_forecast.h"
+#include "client/offline/process/milling_report.h"
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"
+#include "config/files/chatter_file.h"
 #include "recording/plot/gnuplot.h"
 
 namespace stanok::client {
@@ -19,26 +21,37 @@ namespace {
 
 struct OptimiseOptions {
   ForecastRequest request;
+  std::string cut;  // file; empty: a turning program
+  int tool = 0;
+  double step_mm = 0.0;
+  double stiffness_n_per_um = 0.0;  // turning
   std::string out;
   std::string csv;
   std::string picture;
 };
 
-std::string forces_csv(const ForceForecast& forecast) {
+// Of a force at this stiffness; 0: it is not known.
+double deflection_um(double force_n, double stiffness_n_per_um) {
+  return stiffness_n_per_um > 0.0 ? force_n / stiffness_n_per_um : 0.0;
+}
+
+std::string forces_csv(const ForceForecast& forecast, double stiffness_n_per_um) {
   std::string text =
       "line,path_mm,x_mm,z_mm,depth_mm,feed_programmed_mm,force_programmed_n,feed_mm,force_n,"
-      "power_w\n";
+      "power_w,deflection_um\n";
   for (const ForcePlace& place : forecast.places) {
-    text += fmt::format("{},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{:.1f},{:.4f},{:.1f},{:.1f}\n",
-                        place.line, place.path_mm, place.x_mm, place.z_mm, place.depth_mm,
-                        place.feed_programmed, place.force_programmed_n, place.feed, place.force_n,
-                        place.power_w);
+    text +=
+        fmt::format("{},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{:.1f},{:.4f},{:.1f},{:.1f},{:.2f}\n",
+                    place.line, place.path_mm, place.x_mm, place.z_mm, place.depth_mm,
+                    place.feed_programmed, place.force_programmed_n, place.feed, place.force_n,
+                    place.power_w, deflection_um(place.force_n, stiffness_n_per_um));
   }
   return text;
 }
 
-// Path, depth, forces and feeds before and after.
-std::string forces_script(const ForceForecast& forecast, const std::filesystem::path& file) {
+// Path, depth, power, forces and feeds before and after.
+std::string forces_script(const ForceForecast& forecast, double stiffness_n_per_um,
+                          const std::filesystem::path& file) {
   using recording::number;
   constexpr std::size_t shown_max = 4000;
   const std::size_t stride = 1 + forecast.places.size() / shown_max;
@@ -46,7 +59,7 @@ std::string forces_script(const ForceForecast& forecast, const std::filesystem::
   for (std::size_t k = 0; k < forecast.places.size(); k += stride) {
     const ForcePlace& place = forecast.places[k];
     for (const double value : {place.path_mm, place.force_programmed_n, place.force_n,
-                               place.feed_programmed, place.feed, place.depth_mm})
+                               place.feed_programmed, place.feed, place.depth_mm, place.power_w})
       text += number(value) + " ";
     text += "\n";
   }
@@ -54,23 +67,33 @@ std::string forces_script(const ForceForecast& forecast, const std::filesystem::
   text += std::string("END\nset terminal ") +
           (is_png ? "pngcairo enhanced background rgb 'white' font 'Sans,12'"
                   : "svg enhanced background rgb 'white' font 'Sans,14'") +
-          " size 1100,800\nset output " +
+          " size 1100,1000\nset output " +
           recording::gnuplot_text(std::filesystem::absolute(file).string()) +
           "\nset encoding utf8\nset border 3 lc rgb '#9aa3a9' lw 1\n"
           "set tics nomirror out scale 0.6 textcolor rgb '#4a4f54'\n"
           "set grid lc rgb '#e7eaec' lw 1 lt 1\nset yrange [0:*]\n"
           "set key at graph 1, graph 1.13 right top horizontal maxrows 1 Left reverse samplen 2 "
           "textcolor rgb '#2b2f33'\n"
-          "set multiplot layout 3,1 margins 0.08,0.96,0.08,0.95 spacing 0,0.1\n"
-          "set ylabel 'P_z [N]'\n"
-          "plot $places using 1:2 with lines lw 1 lc rgb '#9aa3a9' title 'as programmed', \\\n"
-          "  $places using 1:3 with lines lw 1.5 lc rgb '#1f4e79' title 'planned'\n"
-          "set ylabel 'feed [mm/rev]'\n"
-          "plot $places using 1:4 with steps lw 1 lc rgb '#9aa3a9' title 'as programmed', \\\n"
-          "  $places using 1:5 with steps lw 1.5 lc rgb '#3a7d44' title 'planned'\n"
-          "set ylabel 'depth [mm]'\nset xlabel 'path at feed [mm]'\n"
-          "plot $places using 1:6 with steps lw 1.5 lc rgb '#b8860b' title 'depth of cut'\n"
-          "unset multiplot\nunset output\n";
+          "set multiplot layout 4,1 margins 0.08,0.90,0.07,0.96 spacing 0,0.08\n"
+          "set ylabel 'P_z [N]'\n";
+  if (stiffness_n_per_um > 0.0) {
+    const std::string k = number(stiffness_n_per_um);
+    text += "set border 11\nset link y2 via y/" + k + " inverse y*" + k +
+            "\nset format y2 '%.1f'\nset y2tics out scale 0.6\nset y2label 'deflection [{/Symbol "
+            "m}m]'\n";
+  }
+  text +=
+      "plot $places using 1:2 with lines lw 1 lc rgb '#9aa3a9' title 'as programmed', \\\n"
+      "  $places using 1:3 with lines lw 1.5 lc rgb '#1f4e79' title 'planned'\n"
+      "unset link y2\nunset y2tics\nunset y2label\nset border 3\n"
+      "set ylabel 'feed [mm/rev]'\n"
+      "plot $places using 1:4 with steps lw 1 lc rgb '#9aa3a9' title 'as programmed', \\\n"
+      "  $places using 1:5 with steps lw 1.5 lc rgb '#3a7d44' title 'planned'\n"
+      "set ylabel 'power [W]'\n"
+      "plot $places using 1:7 with lines lw 1.5 lc rgb '#c8553d' title 'planned'\n"
+      "set ylabel 'depth [mm]'\nset xlabel 'path at feed [mm]'\n"
+      "plot $places using 1:6 with steps lw 1.5 lc rgb '#b8860b' title 'depth of cut'\n"
+      "unset multiplot\nunset output\n";
   return text;
 }
 
@@ -86,33 +109,81 @@ double greatest(const ForceForecast& forecast, double ForcePlace::* quantity) {
   return most;
 }
 
+// Where even the least feed takes more than the set force.
+void warn_of_force(double most_n, double set_n) {
+  constexpr double tolerated = 1.01;
+  if (set_n <= 0.0 || most_n <= tolerated * set_n) return;
+  write_message(fmt::format(
+      "warning: the least feed takes {:.1f} N somewhere, more than the set {:.1f} N; allow a lower "
+      "one with --feed-min, or take less at once\n",
+      most_n, set_n));
+}
+
+int run_milling(const OptimiseOptions& options) {
+  const ForecastRequest& turning = options.request;
+  const MillingRequest request{.program = turning.program,
+                               .job = turning.job,
+                               .cut = config::read_chatter_file(options.cut),
+                               .tool = options.tool,
+                               .step_mm = options.step_mm,
+                               .force_n = turning.force_n,
+                               .feed_min = turning.feed_min,
+                               .feed_max = turning.feed_max};
+  if (request.cut.kind != process::CutKind::milling)
+    throw std::runtime_error(options.cut + " is not of a milling tool; give kind = \"milling\"");
+  const MillingForecast forecast = forecast_milling(request);
+  if (!options.out.empty())
+    write_text_file(options.out, with_feeds(text_of_program(request.program), forecast.lines));
+  if (!options.csv.empty()) write_text_file(options.csv, to_csv(forecast));
+  if (!options.picture.empty()) draw_picture(forecast, options.picture);
+  if (request.job.json) {
+    write_json(to_json(forecast));
+  } else {
+    write_data(to_text(forecast));
+  }
+  double most_n = 0.0;
+  for (const MillingPlace& place : forecast.places)
+    most_n = std::max(most_n, place.force_planned_n);
+  warn_of_force(most_n, request.force_n);
+  return 0;
+}
+
 int run_optimise(const OptimiseOptions& options) {
+  if (!options.cut.empty()) return run_milling(options);
   const ForceForecast forecast = forecast_forces(options.request);
   if (!options.out.empty()) {
     write_text_file(options.out,
                     with_feeds(text_of_program(options.request.program), forecast.lines));
   }
-  if (!options.csv.empty()) write_text_file(options.csv, forces_csv(forecast));
+  if (!options.csv.empty())
+    write_text_file(options.csv, forces_csv(forecast, options.stiffness_n_per_um));
   if (!options.picture.empty()) {
-    if (const auto error = recording::draw(forces_script(forecast, options.picture)))
+    if (const auto error =
+            recording::draw(forces_script(forecast, options.stiffness_n_per_um, options.picture)))
       throw std::runtime_error("cannot draw " + options.picture + ": " + error->text);
   }
   const double before_n = greatest(forecast, &ForcePlace::force_programmed_n);
   const double after_n = greatest(forecast, &ForcePlace::force_n);
   const double power_w = greatest(forecast, &ForcePlace::power_w);
+  const double deflection = deflection_um(after_n, options.stiffness_n_per_um);
   if (options.request.job.json) {
-    write_json(nlohmann::ordered_json{{"force_programmed_max_n", before_n},
-                                      {"force_max_n", after_n},
-                                      {"power_max_w", power_w},
-                                      {"time_programmed_s", forecast.time_programmed_s},
-                                      {"time_s", forecast.time_s},
-                                      {"blocks", forecast.lines.size()}});
+    nlohmann::ordered_json json{{"force_programmed_max_n", before_n},
+                                {"force_max_n", after_n},
+                                {"power_max_w", power_w},
+                                {"time_programmed_s", forecast.time_programmed_s},
+                                {"time_s", forecast.time_s},
+                                {"blocks", forecast.lines.size()}};
+    if (deflection > 0.0) json["deflection_max_um"] = deflection;
+    write_json(json);
   } else {
     write_data(
         fmt::format("as programmed  {:.1f} N at most, {:.2f} s at feed\n"
                     "planned        {:.1f} N at most, {:.2f} s at feed, {:.0f} W\n",
                     before_n, forecast.time_programmed_s, after_n, forecast.time_s, power_w));
+    if (deflection > 0.0)
+      write_data(fmt::format("               {:.1f} um of deflection at most\n", deflection));
   }
+  warn_of_force(after_n, options.request.force_n);
   return 0;
 }
 
@@ -121,10 +192,32 @@ int run_optimise(const OptimiseOptions& options) {
 void add_optimise_command(CLI::App& noun, int& exit_code) {
   const auto options = std::make_shared<OptimiseOptions>();
   CLI::App* command = noun.add_subcommand(
-      "optimise", "forces along a turning program, and feeds that keep them at a set value");
+      "optimise", "forces along a program, and feeds that keep them at a set value");
   ForecastRequest& request = options->request;
   command->add_option("PROGRAM", request.program, "part program")->required()->type_name("FILE");
   add_job_options(*command, request.job);
+  CLI::Option* const cut =
+      command
+          ->add_option("--cut", options->cut,
+                       "a milling program: tool and material (TOML, as of `process lobes`)")
+          ->type_name("FILE");
+  command
+      ->add_option("--tool", options->tool,
+                   "with --cut: number of the tool whose cuts are looked at; default: all")
+      ->check(CLI::PositiveNumber)
+      ->needs(cut);
+  command
+      ->add_option(
+          "--step", options->step_mm,
+          "with --cut: distance between two places that are looked at, mm; default: twice the "
+          "resolution of the workpiece")
+      ->check(CLI::Range(0.001, 100.0))
+      ->needs(cut);
+  command
+      ->add_option("--stiffness", options->stiffness_n_per_um,
+                   "turning: stiffness of tool and part across the cut, N/um; tells the deflection")
+      ->check(CLI::PositiveNumber)
+      ->excludes(cut);
   command
       ->add_option("--force", request.force_n,
                    "cutting force to be kept, N; without it the forces as programmed are told")
