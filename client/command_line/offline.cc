@@ -12,6 +12,18 @@
 #include "client/offline/workpiece/workpiece_follow_command.h"
 
 namespace stanok::client {
+namespace {
+
+// An option that may be repeated takes one value each time, else it would swallow the program
+// behind it.
+void take_one_value_each_time(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    if (!option->get_positional()) option->allow_extra_args(false);
+  for (CLI::App* subcommand : command.get_subcommands(nullptr))
+    take_one_value_each_time(*subcommand);
+}
+
+}  // namespace
 
 void add_offline_commands(CLI::App& app, int& exit_code) {
   add_check_command(app, exit_code);
@@ -25,6 +37,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_explain_command(app, exit_code);
   add_completion_command(app);
   add_manual_command(app);
+  take_one_value_each_time(app);
 }
 
 }  // namespace stanok::client

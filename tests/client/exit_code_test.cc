@@ -65,6 +65,16 @@ TEST(ExitCode, IsTwoWhenTheCommandLineIsWrong) {
   }
 }
 
+// An option that may be repeated takes one value each time: what stands behind it is the program.
+TEST(ExitCode, IsZeroWhereverTheOptionsStand) {
+  const std::string program = example_folder + "helix.nc";
+  for (const std::string& line :
+       {"check --scheme 1=1 " + program, "interpret --scheme 1=1 " + program,
+        "simulate --scheme 1=1 " + program, "simulate --tip-trace 1=/dev/null " + program,
+        "simulate --axis-trace 1=/dev/null " + program})
+    EXPECT_EQ(exit_code_of(line + " --machine " + machine_file), 0) << line;
+}
+
 TEST(ExitCode, IsThreeWhenThereIsNoDaemon) {
   EXPECT_EQ(exit_code_of("--socket /nonexistent/op.sock machine status"), 3);
   const FakeServer gone([](int) {});

@@ -111,8 +111,7 @@ void add_process_commands(CLI::App& app, int& exit_code) {
       ->add_option("--cut", options->cuts,
                    "a planned cut, rev/min and mm: judged and marked; exit code 1 when it chatters")
       ->type_name("SPEED:DEPTH")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+      ->delimiter(',');
   CLI::Option* const depth =
       command->add_option("--depth", options->depth_mm, "depth of the cuts of --program, mm")
           ->check(CLI::PositiveNumber);

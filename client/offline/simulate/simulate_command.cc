@@ -380,8 +380,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
                    "what held the speed in these lines (12,15; sub.nc:7 in a file that is called), "
                    "and what would make them faster; all: in those that took longest")
       ->type_name("LINE|FILE:LINE|all")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+      ->delimiter(',');
   add_workpiece_options(*command, options->workpiece);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
