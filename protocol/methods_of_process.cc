@@ -106,6 +106,10 @@ constexpr Parameter from{.name = "from",
                              "brick with which the page begins, as `next` of the one before "
                              "told; default 0"};
 
+constexpr Parameter grinding_file =
+    required_text("program", "process file (.toml) or control file beneath the program root");
+
+constexpr std::array of_grinding{grinding_file};
 constexpr std::array of_interruption{dwell_path, real_path, channel};
 constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
 constexpr std::array of_force_control{force_action, force_quantity, force_value, channel};
@@ -139,6 +143,20 @@ constexpr auto process_rows = std::to_array<Method>({
      .parameters = of_force_control,
      .help =
          "adaptive control of the cutting force: switch it on or off, or change one of its values"},
+    {.name = "process.grinding",
+     .course = Course::reads_program,
+     .parameters = of_grinding,
+     .help =
+         "plunge grinding cycle: designed from a process file, or verified from a control file; "
+         "samples are time s, X mm, allowance left mm, infeed mm/s, removal mm2/rad, and the "
+         "removal over its boundary; a check of this connection ends it",
+     .result = R"({"program":"string","ok":"boolean",
+      "findings":[{"code":"string","text":"string"}],"time_s?":"number",
+      "least_time_s?":"number","constant_time_s?":"number?","three_step_time_s?":"number?",
+      "continuous_time_s?":"number?","ratio_max?":"number","burn_ratio_max?":"number",
+      "residual_um?":"number","roundness_um?":"number","force_max_n?":"number",
+      "spark_out_rev?":"number","boundary?":[["number"]],"law?":[["number"]],
+      "samples?":[["number"]]})"},
 
     {.name = "workpiece.status",
      .help = "whether announcements of workpieces are published, and the latest of every channel",

@@ -101,6 +101,10 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
          const int channel = d.channel_or_first(call.parameters);
          d.programs_.estimate(call.session.id, call.parameters, channel, std::move(call.answer));
        }},
+      {"process.grinding",
+       [](Dispatch& d, Call call) {
+         d.programs_.grinding(call.session.id, call.parameters, std::move(call.answer));
+       }},
       {"program.check_cancel",
        [](Dispatch& d, const Call& call) -> CommandResult {
          d.programs_.cancel_check(call.session.id);

@@ -28,6 +28,8 @@ class ProgramDesk {
   void remove(int session, const nlohmann::json& parameters, Answer answer);
   void check(int session, const nlohmann::json& parameters, int channel, Answer answer);
   void estimate(int session, const nlohmann::json& parameters, int channel, Answer answer);
+  // The cycle that a process file or a control file of plunge grinding gives.
+  void grinding(int session, const nlohmann::json& parameters, Answer answer);
   void cancel_check(int session) { checks_.cancel(session); }
   [[nodiscard]] CommandResult path(const nlohmann::json& parameters, int channel) const;
 

@@ -8,6 +8,7 @@
 #include "base/place.h"
 #include "daemon/desk/channel_display.h"
 #include "daemon/desk/process_status.h"
+#include "runtime/workpiece/workpiece_feed.h"
 
 namespace stanok::daemon {
 namespace {
@@ -94,6 +95,18 @@ json begins_at(const std::optional<channels::SearchReport>& search) {
 
 json words_of(const channels::ChannelConfig& config) {
   return config.words;
+}
+
+// Lowest and highest position of each axis; null for one that has no end.
+json travel_of(const channels::MachineConfig& machine, const channels::ChannelConfig& config) {
+  json travel = json::array();
+  for (const int index : config.axes) {
+    const motion::AxisLimits& limits = machine.axes[index].limits;
+    const bool has_ends =
+        limits.position_min > -motion::unlimited && limits.position_max < motion::unlimited;
+    travel.push_back(has_ends ? json{limits.position_min, limits.position_max} : json(nullptr));
+  }
+  return travel;
 }
 
 json axis_names(const channels::MachineConfig& machine, const channels::ChannelConfig& config) {
@@ -185,6 +198,27 @@ ChannelOutput output_of(const channels::CycleOutput& output, int channel) {
   return none;
 }
 
+StatusReport::StatusReport(RunningMachine& machine, const NotesOfChannels& notes)
+    : machine_(machine), notes_(notes) {
+  const auto& config = machine.file().machine;
+  for (const auto& channel : config.channels)
+    geometries_.emplace(channel.id, runtime::geometry_of(config, channel));
+}
+
+// From the tip of the tool into the spindle, in the base of the scheme that is active.
+json StatusReport::tool_direction(const ChannelOutput& output) const {
+  const auto geometry = geometries_.find(output.id);
+  if (geometry == geometries_.end() || !geometry->second.has_scheme(output.scheme)) return nullptr;
+  simulation::Axes axes_M{};
+  for (std::size_t k = 0; k < axes_M.size(); ++k) axes_M[k] = output.axes[k].position;
+  const auto axis = geometry->second.place_in(output.scheme, output.scheme, axes_M, {}).axis;
+  constexpr double finest = 1e4;  // what a picture does not show is no change
+  json direction = json::array();
+  for (const double part : {axis.x(), axis.y(), axis.z()})
+    direction.push_back(std::round(part * finest) / finest + 0.0);
+  return direction;
+}
+
 json StatusReport::machine() const {
   const auto& config = machine_.file().machine;
   const auto output = machine_.newest_output();
@@ -229,6 +263,7 @@ json StatusReport::channel_list() const {
                     {"kind", channel_kind_names[channel.kind]},
                     {"axes", axis_names(config, channel)},
                     {"words", words_of(channel)},
+                    {"travel", travel_of(config, channel)},
                     {"scheme", of_channel.scheme},
                     {"state", channel_state_word(of_channel.state)},
                     {"program_status", program_status_word(of_channel)}});
@@ -300,6 +335,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"g_codes", lang::names_of(block.codes, 'G')},
           {"m_codes", lang::names_of(block.codes, 'M')},
           {"tool", tool_at_work(output.tool, books.tables)},
+          {"tool_direction", tool_direction(output)},
           {"spindles", spindles_of(config, output, books.bus)},
           {"override",
            {{"feed", output.feed_override * 100.0},

@@ -4,18 +4,19 @@
 // 40501 (channel state) and OPC 40502 (program status). Belongs to the operator server's thread.
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "daemon/cycle/running_machine.h"
 #include "daemon/desk/channel_notes.h"
+#include "simulation/machine_geometry.h"
 
 namespace stanok::daemon {
 
 class StatusReport {
  public:
   // Both outlive the report.
-  StatusReport(RunningMachine& machine, const NotesOfChannels& notes)
-      : machine_(machine), notes_(notes) {}
+  StatusReport(RunningMachine& machine, const NotesOfChannels& notes);
 
   [[nodiscard]] nlohmann::json machine() const;
   [[nodiscard]] nlohmann::json channel_list() const;
@@ -41,6 +42,7 @@ class StatusReport {
     channels::TablesConfig tables;
     drives::BusStatus bus;
   };
+  [[nodiscard]] nlohmann::json tool_direction(const channels::ChannelOutput& output) const;
   enum class AlarmChoice : std::uint8_t { all, active };
   [[nodiscard]] Books books() const;
   [[nodiscard]] nlohmann::json channel(const channels::ChannelConfig& config,
@@ -53,6 +55,7 @@ class StatusReport {
 
   RunningMachine& machine_;
   const NotesOfChannels& notes_;
+  std::map<int, simulation::MachineGeometry> geometries_;  // by channel
 };
 
 // Output of a channel by its id; the output of a channel that has none yet is all zeros.

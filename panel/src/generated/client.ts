@@ -77,6 +77,7 @@ export interface Methods {
         program_status: string;
         scheme: number;
         state: string;
+        travel: unknown[];
         words: string[];
       }[];
     };
@@ -163,6 +164,7 @@ export interface Methods {
         name: string | null;
         number: number;
       };
+      tool_direction: unknown;
       waits_for: {
         channels: number[];
         for: string;
@@ -897,6 +899,34 @@ export interface Methods {
       accepted: boolean;
     };
   };
+  /** plunge grinding cycle: designed from a process file, or verified from a control file; samples are time s, X mm, allowance left mm, infeed mm/s, removal mm2/rad, and the removal over its boundary; a check of this connection ends it */
+  "process.grinding": {
+    params: {
+      program: string;
+    };
+    result: {
+      boundary?: number[][];
+      burn_ratio_max?: number;
+      constant_time_s?: number | null;
+      continuous_time_s?: number | null;
+      findings: {
+        code: string;
+        text: string;
+      }[];
+      force_max_n?: number;
+      law?: number[][];
+      least_time_s?: number;
+      ok: boolean;
+      program: string;
+      ratio_max?: number;
+      residual_um?: number;
+      roundness_um?: number;
+      samples?: number[][];
+      spark_out_rev?: number;
+      three_step_time_s?: number | null;
+      time_s?: number;
+    };
+  };
   /** whether announcements of workpieces are published, and the latest of every channel */
   "workpiece.status": {
     params: Record<string, never>;
@@ -1186,6 +1216,7 @@ export const method_roles: Record<MethodName, string> = {
   "process.interrupt": 'operator',
   "process.automatic": 'operator',
   "process.adaptive": 'operator',
+  "process.grinding": 'observer',
   "workpiece.status": 'observer',
   "workpiece.surface": 'observer',
   "workpiece.allow": 'operator',

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 #include <sodium.h>
 
+#include <chrono>
 #include <cstring>
 #include <fstream>
+#include <thread>
 
+#include "config/files/grinding_file.h"
+#include "process/grinding/cycle_design.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
@@ -82,6 +86,69 @@ TEST_F(ProgramDeskTest, ThereIsNoPathBeforeASimulation) {
   EXPECT_EQ((*none)["pages"], 0);
   EXPECT_TRUE((*none)["geometry"].is_null());
   EXPECT_EQ(desk.path({{"path", 7}}, 1).error().code, "E9018");
+}
+
+class GrindingTest : public ProgramDeskTest {
+ protected:
+  // It is calculated behind everything else that the computer does.
+  CommandResult grinding(const std::string& name) {
+    std::optional<CommandResult> answer;
+    desk.grinding(1, {{"program", name}},
+                  [&answer](const CommandResult& outcome) { answer = outcome; });
+    while (!answer) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      desk.tick();
+    }
+    return *answer;
+  }
+  // An example with another allowance: less of it takes less time to calculate.
+  void put(const std::string& name, const std::string& allowance, const std::string& less) {
+    std::ifstream example(stanok::testing::source_folder() + "/programs/examples/" + name);
+    std::string text{std::istreambuf_iterator<char>(example), {}};
+    ASSERT_NE(text.find(allowance), std::string::npos);
+    text.replace(text.find(allowance), allowance.size(), less);
+    std::ofstream(root.path() / name) << text;
+  }
+};
+
+TEST_F(GrindingTest, ASheetIsDesigned) {
+  put("plunge_grinding.toml", "allowance = 0.3 ", "allowance = 0.1 ");
+  const auto found = grinding("plunge_grinding.toml");
+  ASSERT_TRUE(found) << found.error().message;
+  const auto request = config::read_grinding_file(root.path() / "plunge_grinding.toml");
+  const auto design = process::design_cycle(request);
+  ASSERT_TRUE(design);
+  EXPECT_EQ((*found)["ok"], true);
+  EXPECT_EQ((*found)["time_s"], design->verification.run.time_s);
+  EXPECT_EQ((*found)["least_time_s"], design->least_time_s);
+  EXPECT_EQ((*found)["constant_time_s"], design->constant_safe_time_s);
+  const json& samples = (*found)["samples"];
+  EXPECT_GT(samples.size(), 300U);
+  EXPECT_LE(samples.size(), 601U);
+  EXPECT_NEAR(samples.front()[1].get<double>(), 0.1, 1e-3) << "the allowance";
+  for (std::size_t k = 1; k < samples.size(); ++k) EXPECT_GT(samples[k][0], samples[k - 1][0]);
+  EXPECT_EQ((*found)["law"].size(), design->law.size());
+}
+
+// The figures are those of the worked example (docs/programmer/grinding.md).
+TEST_F(GrindingTest, AControlFileIsVerified) {
+  put("plunge_grinding.txt", "0.3000 ", "0.3000 ");
+  const auto found = grinding("plunge_grinding.txt");
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_NEAR((*found)["time_s"].get<double>(), 18.06, 0.005);
+  EXPECT_NEAR((*found)["ratio_max"].get<double>(), 1.129, 0.0005);
+  EXPECT_NE((*found)["findings"].dump().find("W910"), std::string::npos);
+}
+
+TEST_F(GrindingTest, FaultsOfASheetHaveTheirPlace) {
+  std::ofstream(root.path() / "bad.toml") << "part_radius = 30.0\nwidth = -1.0\n";
+  const auto toml = grinding("bad.toml");
+  ASSERT_FALSE(toml);
+  EXPECT_EQ(toml.error().code, "E9102");
+  EXPECT_EQ(toml.error().place.file, "bad.toml");
+  std::ofstream(root.path() / "bad.txt") << "no number\n";
+  EXPECT_EQ(grinding("bad.txt").error().code, "E9101");
+  EXPECT_EQ(grinding("none.toml").error().code, "E7001");
 }
 
 std::string decoded(const std::string& text) {

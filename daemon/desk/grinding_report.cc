@@ -1,0 +1,134 @@
+// ProgramDesk::grinding: the cycle that is designed from a process file, or what a control file
+// does. The computation is that of `stanok grind design` and `verify`; the answer has what its
+// pictures need.
+
+#include "config/files/grinding_file.h"
+#include "config/text/config_error.h"
+#include "daemon/desk/program_desk.h"
+#include "process/grinding/control_file.h"
+#include "process/grinding/cycle_design.h"
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+using process::CycleDesign;
+using process::DesignRequest;
+using protocol::Failure;
+using protocol::FailureKind;
+
+constexpr double um_per_mm = 1000.0;
+constexpr std::size_t samples_max = 600;
+constexpr double verified_time_max_s = 3600.0;  // of a table that is given
+
+Unexpected<Failure> wrong_sheet(const config::ConfigFault& fault, const std::string& name) {
+  const int line = static_cast<int>(fault.line);
+  const int column = static_cast<int>(fault.column);
+  const Place place{name, line, column, line, column};
+  return Unexpected<Failure>({FailureKind::program_error, "E9102", fault.text, 0, place});
+}
+
+json findings_json(const process::Findings& findings) {
+  json list = json::array();
+  for (const process::Finding& finding : findings)
+    list.push_back({{"code", finding.code}, {"text", finding.text}});
+  return list;
+}
+
+// Time, X, allowance left H, feed, removal Q, and Q over its boundary D(H).
+json samples_json(const DesignRequest& request, const process::PlungeRun& run) {
+  const process::Boundary boundary(request.process);
+  const std::size_t stride = 1 + run.samples.size() / samples_max;
+  json rows = json::array();
+  for (std::size_t k = 0; k < run.samples.size(); k += stride) {
+    const process::PlungeSample& sample = run.samples[k];
+    rows.push_back({sample.time_s, sample.x_mm, sample.allowance_mm, sample.feed_mm_per_s,
+                    sample.removal_mm2_per_rad,
+                    sample.removal_mm2_per_rad / boundary.at(sample.allowance_mm)});
+  }
+  return rows;
+}
+
+json boundary_json(const DesignRequest& request) {
+  const process::Boundary boundary(request.process);
+  json corners = json::array();
+  for (const double H : {request.allowance_mm, request.process.critical_allowance_mm, 0.0})
+    corners.push_back({H, boundary.at(H)});
+  return corners;
+}
+
+json law_json(const process::InfeedLaw& law) {
+  json rows = json::array();
+  for (const process::InfeedRow& row : law) rows.push_back({row.x_mm, row.feed_mm_per_s});
+  return rows;
+}
+
+json time_or_null(double time_s) {
+  return time_s > 0.0 ? json(time_s) : json(nullptr);
+}
+
+json answer(const std::string& name, const DesignRequest& request, const CycleDesign& design) {
+  const process::Verification& verification = design.verification;
+  const process::PlungeRun& run = verification.run;
+  return {{"program", name},
+          {"ok", !process::has_errors(verification.findings)},
+          {"findings", findings_json(verification.findings)},
+          {"time_s", run.time_s},
+          {"least_time_s", design.least_time_s},
+          {"constant_time_s", time_or_null(design.constant_safe_time_s)},
+          {"three_step_time_s", time_or_null(design.three_step_time_s)},
+          {"continuous_time_s", design.continuous.run.size_reached_s
+                                    ? json(*design.continuous.run.size_reached_s)
+                                    : json(nullptr)},
+          {"ratio_max", verification.boundary.ratio},
+          {"burn_ratio_max", verification.burn.ratio},
+          {"residual_um", um_per_mm * run.residual_mm},
+          {"roundness_um", um_per_mm * run.out_of_roundness_mm()},
+          {"force_max_n", run.force_max_n},
+          {"spark_out_rev", design.spark_out_revolutions},
+          {"boundary", boundary_json(request)},
+          {"law", law_json(design.law)},
+          {"samples", samples_json(request, run)}};
+}
+
+json refusal(const std::string& name, const process::Findings& findings) {
+  return {{"program", name}, {"ok", false}, {"findings", findings_json(findings)}};
+}
+
+CommandResult designed(const StoredProgram& program, const std::string& name) {
+  try {
+    const DesignRequest request = config::read_grinding_file(program.path);
+    const auto design = process::design_cycle(request);
+    return design ? answer(name, request, *design) : refusal(name, design.error());
+  } catch (const config::ConfigError& error) {
+    return wrong_sheet(error.faults().front(), name);
+  }
+}
+
+CommandResult verified(const StoredProgram& program, const std::string& name) {
+  auto file = process::read_control_text(program.text, name);
+  if (!file) return Unexpected<Failure>(failure_of_diagnostic(file.error().front()));
+  DesignRequest request;
+  request.allowance_mm = file->allowance_mm();
+  request.process = file->process;
+  request.simulation.time_max_s = verified_time_max_s;
+  return answer(name, request, process::assessed_cycle(request, file->law));
+}
+
+}  // namespace
+
+void ProgramDesk::grinding(int session, const json& parameters, Answer answer) {
+  checks_.cancel(session);
+  checks_.submit(
+      session,
+      [folder = folder(),
+       name = parameters["program"].get<std::string>()](const std::stop_token&) -> CommandResult {
+        const auto program = folder.read(name);
+        if (!program) return Unexpected<Failure>(program.error());
+        const bool is_sheet = program->path.extension() == ".toml";
+        return is_sheet ? designed(*program, name) : verified(*program, name);
+      },
+      std::move(answer));
+}
+
+}  // namespace stanok::daemon
