@@ -4,6 +4,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
+import { leanThree } from './tools/lean_three';
 
 const packageOf = (module: string): string | undefined =>
   /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(module)?.[1];
@@ -44,7 +45,7 @@ function licences(): Plugin {
 const bridge = process.env['STANOK_WEB'] ?? 'http://127.0.0.1:8080';
 
 export default defineConfig({
-  plugins: [svelte(), licences()],
+  plugins: [svelte(), leanThree(), licences()],
   base: './',
   build: {
     target: 'es2022',

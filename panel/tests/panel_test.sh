@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# One part of the tests of the page. usage: panel_test.sh packages|page|unit|views|job|jog|run FOLDER_OF_THE_PROGRAMS
+# One part of the tests of the page. usage: panel_test.sh packages|page|unit|views|job|jog|run|process|long FOLDER_OF_THE_PROGRAMS
 #
-# Needs Node 18 or newer and npm; views, job, jog and run Chromium, too. Says what is missing and ends with 77.
+# Needs Node 18 or newer and npm; the others Chromium, too. Says what is missing and ends with 77.
 set -euo pipefail
 part="$1"
 export STANOK_BIN="$2"
@@ -49,6 +49,7 @@ page() {
   trap "rm -rf '$built'" EXIT
   node tools/client.mjs --check
   node tools/codes.mjs --check
+  node tools/words.mjs --check
   npx vite build --outDir "$built" --emptyOutDir
   node tools/seal.mjs "$built"
   diff --recursive --brief "$built" dist || {
@@ -71,6 +72,6 @@ browser() {
 
 case "$part" in
   packages | page | unit) "$part" ;;
-  views | job | jog | run) browser "$part" ;;
-  *) echo "usage: ${0##*/} packages|page|unit|views|job|jog|run FOLDER" >&2; exit 2 ;;
+  views | job | jog | run | process | long) browser "$part" ;;
+  *) echo "usage: ${0##*/} packages|page|unit|views|job|jog|run|process|long FOLDER" >&2; exit 2 ;;
 esac

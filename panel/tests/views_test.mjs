@@ -12,7 +12,17 @@ import { after, before, describe, test } from 'node:test';
 import { password, root, setStage, until } from './stage.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const views = ['machine', 'path', 'programs', 'tools', 'drives', 'scope', 'history', 'help'];
+const views = [
+  'machine',
+  'path',
+  'programs',
+  'tools',
+  'drives',
+  'scope',
+  'process',
+  'history',
+  'help',
+];
 const sizes = [
   [360, 640],
   [800, 1280],
@@ -338,6 +348,33 @@ describe('programs', () => {
     await page.context().close();
   });
 
+  test('a word is explained on hover and offered while it is written', async () => {
+    const page = await open('square_and_circle.nc');
+    const text = page.getByLabel('Text of the program');
+    await text.getByText('G21').first().hover();
+    await page.locator('.cm-tooltip-hover').getByText('millimetre').waitFor();
+    assert.deepEqual(await findings(page), []);
+    await text.click();
+    await page.keyboard.press('Control+End');
+    await page.keyboard.type('G43.');
+    const offered = page.locator('.cm-tooltip-autocomplete');
+    await offered.getByText('G43.4').waitFor();
+    assert.deepEqual(await findings(page), []);
+    await page.keyboard.press('Enter');
+    await page.getByRole('button', { name: 'Take back' }).click();
+    await page.getByRole('button', { name: 'Yes' }).click();
+    await page.context().close();
+  });
+
+  test('the time that a program takes is told before it runs', async () => {
+    const page = await open('square_and_circle.nc');
+    await page.getByRole('button', { name: 'Time it takes' }).click();
+    await page.getByText(/takes \d+:\d\d, \d+ mm of path/).waitFor();
+    assert.deepEqual(await findings(page), []);
+    assert.equal((await stage.status()).state, 'Reset');
+    await page.context().close();
+  });
+
   test('what somebody else has changed meanwhile is not overwritten', async () => {
     const page = await open('helix.nc');
     const theirs = 'G90\nM30\n';
@@ -469,6 +506,25 @@ test('the planned path of the daemon is drawn, and a line of it shown', async ()
   await until('points', async () => Number(await canvas.getAttribute('data-points')) > 10);
   const { points } = await stage.client.call('program.path', { channel: 1, page: 0 });
   await page.locator(`canvas[data-points="${points}"]`).waitFor();
+  await page.getByText('This part comes from line 15').waitFor();
+  await page.getByRole('button', { name: 'Limits' }).click();
+  await page.getByRole('button', { name: 'Measure' }).click();
+  await page.getByText('Press two points of the path.').waitFor();
+  await page.getByRole('button', { name: 'Top', exact: true }).click();
+  const box = await canvas.boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  // The square lies around the middle of the picture: a press outwards from there meets a side of it.
+  const meet = async (dx, dy, text) => {
+    for (let way = 0; way < 0.5; way += 0.01) {
+      await page.mouse.click(x + dx * way * box.width, y + dy * way * box.height);
+      if (await page.getByText(text).isVisible()) return;
+    }
+    throw new Error('nothing of the path was met');
+  };
+  await page.mouse.click(x, y);
+  await meet(1, 0, /mm apart/);
+  await page.getByRole('button', { name: 'Measure' }).click();
+  await page.getByRole('button', { name: 'Limits' }).click();
   await page.getByText('This part comes from line 15').waitFor();
   await page.getByRole('link', { name: 'Show the line' }).click();
   await page.getByLabel('Text of the program').getByText('G').first().waitFor();

@@ -4,12 +4,15 @@
 import {
   AxesHelper,
   Box3,
+  Box3Helper,
+  BufferGeometry,
   Color,
   CylinderGeometry,
   DirectionalLight,
   GridHelper,
   Group,
   HemisphereLight,
+  Line,
   LineBasicMaterial,
   Mesh,
   MeshBasicMaterial,
@@ -22,12 +25,16 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { magnification } from '../style/resolved';
 import { Pairs, Segments } from './segments';
 import { way, type Track } from './track';
 import { TrackLine, TrackPoints } from './track_line';
 import { WorkpieceMesh } from './workpiece_mesh';
 
 export type Look = 'iso' | 'top' | 'front' | 'side';
+/** Milled parts stand on XY with Z up; turned ones lie with Z to the right and X up. */
+export type Lie = 'milled' | 'turned';
+export type Place = readonly [x: number, y: number, z: number];
 
 export interface ToolShape {
   radius: number;
@@ -44,12 +51,13 @@ export interface Colours {
   tool: string;
 }
 
-const directions: Record<Look, [number, number, number]> = {
-  iso: [1, -1.2, 0.9],
-  top: [0, -0.0001, 1],
-  front: [0, -1, 0],
-  side: [1, 0, 0],
+// From what is looked at to who looks.
+const directions: Record<Lie, Record<Look, Place>> = {
+  milled: { iso: [1, -1.2, 0.9], top: [0, -0.0001, 1], front: [0, -1, 0], side: [1, 0, 0] },
+  turned: { iso: [0.8, 1.2, 0.7], top: [1, 0.0001, 0], front: [0, 1, 0], side: [0, 0, 1] },
 };
+const upward: Record<Lie, Place> = { milled: [0, 0, 1], turned: [1, 0, 0] };
+const firstLook: Record<Lie, Look> = { milled: 'iso', turned: 'front' };
 
 export class PathScene {
   readonly #renderer: WebGLRenderer;
@@ -64,6 +72,7 @@ export class PathScene {
     done: new LineBasicMaterial(),
     trace: new LineBasicMaterial(),
     marked: new LineBasicMaterial({ depthTest: false }),
+    measured: new LineBasicMaterial({ depthTest: false }),
     tool: new MeshBasicMaterial({ transparent: true, opacity: 0.55 }),
   };
   readonly #planned: Segments;
@@ -74,13 +83,15 @@ export class PathScene {
   >;
   readonly workpiece = new WorkpieceMesh(() => this.#showWorkpiece());
   readonly #marked = new Pairs();
+  readonly #measured: Line;
+  readonly #limits = new Box3Helper(new Box3());
   #markedLine: number | null = null;
   #markedCount = 0;
   readonly #framed = new Box3();
   #size_mm = 100;
   #distance_mm = 100;
   #reached = 0;
-  #look: Look = 'iso';
+  #look: Look;
   /** Until a person turns or zooms the picture, it keeps the whole path in view. */
   #follows = true;
   #wanted = false;
@@ -91,7 +102,9 @@ export class PathScene {
     private readonly canvas: HTMLCanvasElement,
     private readonly planned: Track,
     private readonly traced: Track,
+    private readonly lie: Lie,
   ) {
+    this.#look = firstLook[lie];
     this.#renderer = new WebGLRenderer({ canvas, antialias: true });
     this.#planned = new Segments(planned);
     this.#traced = new Segments(traced);
@@ -105,9 +118,13 @@ export class PathScene {
       trace: new TrackLine(trace, traceLook),
       marked: new TrackLine(plan, marked),
     };
-    this.#camera.up.set(0, 0, 1);
-    this.#grid.rotation.x = Math.PI / 2;
+    this.#camera.up.set(...upward[lie]);
+    if (lie === 'milled') this.#grid.rotation.x = Math.PI / 2;
+    this.#measured = new Line(new BufferGeometry(), this.#materials.measured);
+    this.#measured.frustumCulled = false;
+    this.#measured.visible = this.#limits.visible = false;
     this.#scene.add(this.#grid, new AxesHelper(20), this.#tool, this.workpiece.group);
+    this.#scene.add(this.#measured, this.#limits);
     this.#renderer.localClippingEnabled = true;
     // The light comes from where the picture is looked at.
     const light = new DirectionalLight('white', 1.6);
@@ -121,7 +138,7 @@ export class PathScene {
       this.draw();
     });
     this.#controls.addEventListener('start', () => (this.#follows = false));
-    this.look('iso');
+    this.look(firstLook[lie]);
   }
 
   colours(colours: Colours): void {
@@ -130,6 +147,8 @@ export class PathScene {
     this.#materials.rapid.color.set(colours.rapid);
     this.#materials.trace.color.set(colours.feed);
     this.#materials.marked.color.set(colours.tool);
+    this.#materials.measured.color.set(colours.tool);
+    (this.#limits.material as LineBasicMaterial).color.set(colours.rapid);
     this.#materials.done.color.set(colours.done);
     this.#materials.tool.color.set(colours.tool);
     const lines = this.#grid.material;
@@ -153,12 +172,38 @@ export class PathScene {
     shank.rotation.x = Math.PI / 2;
     shank.position.z = (h + (ball ? r : 0)) / 2;
     this.#tool.add(shank);
+    this.direct(this.lie === 'turned' ? [1, 0, 0] : [0, 0, 1]);
     if (ball) {
       const tip = new Mesh(new SphereGeometry(r, 24, 12), this.#materials.tool);
       tip.position.z = r;
       this.#tool.add(tip);
     }
     this.draw();
+  }
+
+  /** Along which the tool stands, from its tip into the spindle. */
+  direct(direction: Place): void {
+    this.#tool.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...direction));
+    this.draw();
+  }
+
+  /** The box in which the axes travel; null: it is not shown. */
+  limits(box: { low: Place; high: Place } | null): void {
+    this.#limits.visible = box !== null;
+    if (box !== null) this.#limits.box.set(new Vector3(...box.low), new Vector3(...box.high));
+    this.draw();
+  }
+
+  /** A line between two places that are measured; none with fewer. */
+  measure(places: readonly Place[]): void {
+    this.#measured.visible = places.length === 2;
+    this.#measured.geometry.setFromPoints(places.map((place) => new Vector3(...place)));
+    this.draw();
+  }
+
+  /** The look with which a new path is shown. */
+  showWhole(): void {
+    this.look(firstLook[this.lie]);
   }
 
   moveTool(x: number, y: number, z: number): void {
@@ -240,7 +285,7 @@ export class PathScene {
     const distance = size / 2 / Math.tan((this.#camera.fov * Math.PI) / 360) / narrow;
     this.#size_mm = size;
     this.#distance_mm = distance;
-    const direction = new Vector3(...directions[this.#look]).normalize();
+    const direction = new Vector3(...directions[this.lie][this.#look]).normalize();
     this.#controls.target.copy(centre);
     this.#camera.position.copy(centre).addScaledVector(direction, distance);
     this.#controls.update();
@@ -248,7 +293,9 @@ export class PathScene {
   }
 
   resize(width: number, height: number): void {
-    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    // A line is as wide as a pixel of the picture: on a large screen these are larger ones.
+    const coarser = Math.max(1, magnification() / 1.3);
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2) / coarser);
     this.#renderer.setSize(width, height, false);
     this.#camera.aspect = width / Math.max(height, 1);
     this.#camera.updateProjectionMatrix();
@@ -291,6 +338,8 @@ export class PathScene {
     this.workpiece.close();
     for (const line of Object.values(this.#lines)) line.dispose();
     for (const material of Object.values(this.#materials)) material.dispose();
+    this.#measured.geometry.dispose();
+    this.#limits.dispose();
     this.#renderer.dispose();
   }
 }

@@ -1,6 +1,8 @@
 // The picture of the scope: a lane for each unit, dense signals by their extremes in every column, limits as
 // dashed lines, the trigger, and two cursors.
+import { magnification } from '../style/resolved';
 import { colourOfTool } from '../geometry/tool_colours';
+import { contextOf, fitted } from './fitted';
 import { envelope, extremesOf, lanesOf, ticks, type Extremes, type Signal } from './samples';
 
 export interface View {
@@ -31,7 +33,8 @@ const gap_px = 8;
 
 /** The sample under a place of the picture. */
 export function sampleAt(x: number, width: number, { from, to }: View): number {
-  const part = (x - left_px) / Math.max(1, width - left_px - right_px);
+  const zoom = magnification();
+  const part = (x / zoom - left_px) / Math.max(1, width / zoom - left_px - right_px);
   return Math.round(from + Math.min(1, Math.max(0, part)) * Math.max(0, to - 1 - from));
 }
 
@@ -47,22 +50,17 @@ function rangeOf(members: Signal[], { from, to, limits }: View): Extremes {
 }
 
 export class ScopePicture {
-  readonly #context: CanvasRenderingContext2D;
+  #context: CanvasRenderingContext2D;
   #width = 0;
   #height = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
-    const context = canvas.getContext('2d');
-    if (context === null) throw new Error('this browser draws no pictures');
-    this.#context = context;
+    this.#context = contextOf(canvas);
   }
 
   resize(width: number, height: number): void {
-    const scale = window.devicePixelRatio;
-    this.canvas.width = Math.round(width * scale);
-    this.canvas.height = Math.round(height * scale);
-    this.#context.setTransform(scale, 0, 0, scale, 0, 0);
-    [this.#width, this.#height] = [width, height];
+    const { width: across, height: down, context } = fitted(this.canvas, width, height);
+    [this.#context, this.#width, this.#height] = [context, across, down];
   }
 
   draw(signals: readonly Signal[], view: View, look: Look): void {

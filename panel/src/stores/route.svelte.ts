@@ -6,6 +6,7 @@ export const views = [
   'tools',
   'drives',
   'scope',
+  'process',
   'history',
   'help',
 ] as const;

@@ -13,3 +13,7 @@ export function resolvedColours<Name extends string>(
   probe.remove();
   return Object.fromEntries(resolved) as Record<Name, string>;
 }
+
+/** By how much everything is larger than on a usual screen: pictures are drawn in pixels of that one. */
+export const magnification = (): number =>
+  parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;

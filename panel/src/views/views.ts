@@ -10,6 +10,7 @@ const loaders: Record<View, () => Promise<{ default: Component }>> = {
   tools: () => import('./tools/ToolsView.svelte'),
   drives: () => import('./drives/DrivesView.svelte'),
   scope: () => import('./scope/ScopeView.svelte'),
+  process: () => import('./process/ProcessView.svelte'),
   history: () => import('./history/HistoryView.svelte'),
   help: () => import('./help/HelpView.svelte'),
 };

@@ -1,7 +1,7 @@
 // The editor of program texts: CodeMirror in a tree of its own, so that its styles are adopted sheets
 // and the page keeps a content policy without inline styles.
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
-import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
+import { HighlightStyle, syntaxHighlighting } from '@codemirror/language';
 import { lintGutter, setDiagnostics, type Diagnostic as Mark } from '@codemirror/lint';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
 import { EditorState, StateEffect, StateField, type Text } from '@codemirror/state';
@@ -15,49 +15,10 @@ import {
 } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import type { Result } from '../../rpc/json_rpc';
+import { gCode } from './g_code';
+import { hints } from './hints';
 
 export type Diagnostic = Result<'program.check'>['diagnostics'][number];
-
-const statements =
-  /^(if|else|while|do|for|return|break|continue|switch|case|default|end|endif|goto|true|false|var|const|shared|int|double|string|bool|void)\b/;
-
-// Parentheses are comments at the begin of a line and behind words like X10; elsewhere they calculate.
-const beforeComment = /(^|%|[A-Za-z][-+.\d]+|\))\s*$/;
-
-const gCode = StreamLanguage.define({
-  name: 'g-code',
-  startState: () => ({ inComment: false }),
-  token(stream, state) {
-    if (state.inComment) {
-      if (stream.skipTo('*/')) stream.match('*/');
-      else stream.skipToEnd();
-      state.inComment = !stream.string.slice(0, stream.pos).endsWith('*/');
-      return 'comment';
-    }
-    if (stream.eatSpace()) return null;
-    if (stream.match('/*')) {
-      state.inComment = true;
-      return 'comment';
-    }
-    if (stream.match('//') || stream.match(';')) {
-      stream.skipToEnd();
-      return 'comment';
-    }
-    if (stream.peek() === '(' && beforeComment.test(stream.string.slice(0, stream.pos))) {
-      if (stream.match(/^\([^()]*\)/)) return 'comment';
-    }
-    if (stream.match(/^"(\\.|[^"\\])*"?/)) return 'string';
-    if (stream.match(/^#\w+/)) return 'meta';
-    if (stream.match(statements)) return 'keyword';
-    if (stream.match(/^[Nn]\d+/)) return 'labelName';
-    if (stream.match(/^[GMgm]\d+(\.\d+)?/)) return 'keyword';
-    if (stream.match(/^[A-Za-z_]\w{2,}/)) return 'variableName';
-    if (stream.match(/^[A-Za-z](?=[-+.\d= ])/)) return 'propertyName';
-    if (stream.match(/^\d*\.?\d+/)) return 'number';
-    stream.next();
-    return null;
-  },
-});
 
 const colours = HighlightStyle.define([
   { tag: tags.comment, color: 'var(--text-quiet)', fontStyle: 'italic' },
@@ -80,6 +41,12 @@ const look = EditorView.theme({
   '.cm-activeLine, .cm-activeLineGutter': { backgroundColor: 'var(--surface)' },
   '.cm-running': { backgroundColor: 'var(--running-ground)', fontWeight: '700' },
   '.cm-tooltip': { backgroundColor: 'var(--raised)', color: 'var(--text)', padding: '0.25rem' },
+  '.cm-tooltip-autocomplete > ul > li': { minHeight: '1.75rem' },
+  '.cm-tooltip-autocomplete > ul > li[aria-selected]': {
+    backgroundColor: 'var(--text)',
+    color: 'var(--surface)',
+  },
+  '.cm-completionDetail': { color: 'inherit', fontStyle: 'normal' },
   // The marks of the package are images in the style sheet, which the page's content policy forbids.
   '.cm-lint-marker-error': { content: "'▲'", color: 'var(--alarm)' },
   '.cm-lint-marker-warning': { content: "'●'", color: 'var(--attention)' },
@@ -147,6 +114,7 @@ export class ProgramEditor {
         gCode,
         syntaxHighlighting(colours),
         lintGutter(),
+        hints,
         runningLine,
         look,
         EditorView.contentAttributes.of({ 'aria-label': label }),
@@ -158,6 +126,8 @@ export class ProgramEditor {
       ],
     });
     this.#view = new EditorView({ state, parent: root, root });
+    // What scrolls can be reached without a mouse.
+    this.#view.scrollDOM.tabIndex = 0;
   }
 
   get text(): string {
