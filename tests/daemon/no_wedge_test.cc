@@ -16,10 +16,24 @@ using nlohmann::json;
 
 constexpr int commands = 10'000;
 constexpr int client_count = 3;
-// The answer to a run that was waited for comes at the second look behind its end.
-constexpr int answered_within = 50;  // cycles
 
 class NoWedge : public ::testing::TestWithParam<int> {};
+
+using Unanswered = std::deque<std::pair<RandomCommand, DaemonBench::Slot>>;
+
+// Cycles until every request has its answer. Files are read and programs checked in threads of
+// their own, which a loaded machine may leave waiting for long: what is waited for is the answer,
+// and the bound only ends a test that hangs.
+void cycle_until_answered(DaemonBench& bench, Unanswered& unanswered) {
+  using namespace std::chrono_literals;
+  const auto has_answer = [](const auto& request) { return request.second->has_value(); };
+  const auto given_up = std::chrono::steady_clock::now() + 5min;
+  while (!unanswered.empty() && std::chrono::steady_clock::now() < given_up) {
+    bench.cycle();
+    std::erase_if(unanswered, has_answer);
+    if (!unanswered.empty()) std::this_thread::sleep_for(1ms);
+  }
+}
 
 TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   RandomCommands random(static_cast<std::uint64_t>(GetParam()));
@@ -27,7 +41,7 @@ TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   SetpointWatch watch;
   for (const auto& [name, text] : programs_of_random_commands()) bench.program(name, text);
   bench.demand("machine.on");
-  std::deque<std::pair<RandomCommand, DaemonBench::Slot>> unanswered;
+  Unanswered unanswered;
   for (int n = 0; n < commands && !::testing::Test::HasFatalFailure(); ++n) {
     RandomCommand command = random.next();
     const auto slot = bench.ask(n % client_count, command.method, command.parameters);
@@ -49,10 +63,9 @@ TEST_P(NoWedge, TenThousandCommandsOfThreeClients) {
   bench.demand("program.reset", {{"channel", 1}});
   for (int n = 0; n < 5000 && !bench.is_idle(); ++n) bench.cycle();
   EXPECT_TRUE(bench.is_idle());
-  bench.cycles(answered_within);
+  cycle_until_answered(bench, unanswered);
   for (const auto& [command, slot] : unanswered)
-    EXPECT_TRUE(slot->has_value())
-        << "never answered: " << command.method << " " << command.parameters.dump();
+    ADD_FAILURE() << "never answered: " << command.method << " " << command.parameters.dump();
   for (const char* drive : {"X", "Y", "Z", "B", "C"})
     bench.demand("drive.reset", {{"drive", drive}});
   bench.cycles(300);
