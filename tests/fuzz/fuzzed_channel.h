@@ -1,7 +1,9 @@
 // What the fuzz targets give the interpreter: a text as the only file, tables, a five-axis mill or
-// a lathe.
+// a lathe, of any dialect.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -56,6 +58,13 @@ class SomeTables final : public Tables {
  private:
   std::array<AxisValues, reference_point_count> reference_{};
 };
+
+// By two bits of the byte the dialect, by two the code system.
+inline TextRules rules_of(std::uint8_t byte) {
+  constexpr std::array dialects{Dialect::stanok, Dialect::linuxcnc, Dialect::fanuc, Dialect::haas};
+  constexpr std::array systems{CodeSystem::b, CodeSystem::a, CodeSystem::c, CodeSystem::a};
+  return {dialects[byte & 3U], systems[(byte >> 2U) & 3U]};
+}
 
 inline ChannelDescription mill() {
   ChannelDescription channel;

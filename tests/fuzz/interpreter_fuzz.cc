@@ -1,5 +1,6 @@
-// libFuzzer target: any bytes as a program to run, on a mill or a lathe by the first bit. Every
-// step is bounded; after a failure there is a diagnostic; numbers in motion are finite.
+// libFuzzer target: any bytes as a program to run, on a mill or a lathe and in a dialect by the
+// first byte. Every step is bounded; after a failure there is a diagnostic; numbers in motion are
+// finite.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -68,6 +69,8 @@ void run(const ChannelDescription& channel, const Files& files) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const fuzz::OneFile files(std::string(reinterpret_cast<const char*>(bytes), size));
   const bool turns = size > 0 && (bytes[0] & 1U) != 0;
-  run(turns ? fuzz::lathe() : fuzz::mill(), files);
+  ChannelDescription channel = turns ? fuzz::lathe() : fuzz::mill();
+  if (size > 0) channel.rules = fuzz::rules_of(static_cast<std::uint8_t>(bytes[0] >> 1U));
+  run(channel, files);
   return 0;
 }

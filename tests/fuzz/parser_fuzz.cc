@@ -1,5 +1,5 @@
-// libFuzzer target: any bytes as a program to load. It loads, or there are errors with places
-// inside the text, at most 100 of them.
+// libFuzzer target: any bytes as a program to load, in a dialect by the first byte. It loads, or
+// there are errors with places inside the text, at most 100 of them.
 #include <cstdint>
 #include <cstdlib>
 
@@ -10,9 +10,10 @@ using namespace stanok::lang;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const fuzz::OneFile files(std::string(reinterpret_cast<const char*>(bytes), size));
-  const ChannelDescription channel = fuzz::mill();
-  for (const ChannelDescription* one :
-       {&channel, static_cast<const ChannelDescription*>(nullptr)}) {
+  ChannelDescription channel = fuzz::mill();
+  if (size > 0) channel.rules = fuzz::rules_of(bytes[0]);
+  for (const ChannelDescription* one : {static_cast<const ChannelDescription*>(&channel),
+                                        static_cast<const ChannelDescription*>(nullptr)}) {
     Diagnostics warnings;
     const auto program = compile("fuzz.nc", files, one, warnings);
     if (program) continue;

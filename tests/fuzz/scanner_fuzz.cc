@@ -34,8 +34,11 @@ void scan(const Source& source, LineEnds line_ends) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(bytes), size);
-  const Source source(std::make_shared<const SourceText>(SourceText{"fuzz.nc", "fuzz.nc", text}));
-  scan(source, LineEnds::blank);
-  scan(source, LineEnds::significant);
+  for (const Dialect dialect : {Dialect::stanok, Dialect::fanuc}) {
+    const Source source(std::make_shared<const SourceText>(SourceText{"fuzz.nc", "fuzz.nc", text}),
+                        {dialect, CodeSystem::b});
+    scan(source, LineEnds::blank);
+    scan(source, LineEnds::significant);
+  }
   return 0;
 }
