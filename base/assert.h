@@ -3,7 +3,7 @@
 // A broken claim throws BrokenClaim. Whoever owns the thread says what that means: a preparation
 // turns it into an alarm of its channel, whose axes stop along the path; the daemon's other threads
 // end the daemon in order. What the cycle reaches makes no claims: it guards the setpoints instead
-// (Channel::guard_setpoints).
+// (channels/axes/setpoint_guard.h).
 #pragma once
 
 #include <stdexcept>

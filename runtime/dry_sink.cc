@@ -26,9 +26,8 @@ void DrySink::take_motion(const lang::Command& command, std::span<const motion::
   motion::BlockProcess& process = whole.process;
   process.path_length += process.path_start - blocks.front().process.path_start;
   process.path_start = blocks.front().process.path_start;
-  motion::PathBlock programmed = whole;
-  programmed.end = as_programmed(*lang::move_of(command.payload), whole);
-  record_(command, &programmed);
+  whole.end = as_programmed(*lang::move_of(command.payload), whole);
+  record_(command, &whole);
   if (depth_ == channels::FeedDepth::path) estimate_law(whole);
 }
 

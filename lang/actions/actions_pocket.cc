@@ -130,8 +130,8 @@ bool find_radii(ActiveBlock& block, CodeNumber code, Pocket& pocket) {
   if (block.has('Q') && !block.has('K')) return refuse('K', "K beside Q, the last radius");
   if (first <= tool->radius_mm) return refuse('I', "a circle that is larger than the tool");
   if (step > 0.0 && (last - first) / step > circles_max) return refuse('Q', "a larger step Q");
-  for (double radius = first; radius < last - coordinate_noise; radius += step)
-    pocket.radii_mm.push_back(radius - tool->radius_mm);
+  for (int n = 0; first + n * step < last - coordinate_noise; ++n)
+    pocket.radii_mm.push_back(first + n * step - tool->radius_mm);
   pocket.radii_mm.push_back(last - tool->radius_mm);
   return true;
 }

@@ -70,7 +70,7 @@ struct WrittenNumber {
   bool whole = false;  // without a decimal point
 };
 
-bool add_word(BlockWords& words, char letter, const WrittenNumber& number) {
+bool add_word(BlockWords& words, char letter, WrittenNumber number) {
   const auto [value, whole] = number;
   if (letter == 'G') return add_code(words.g, value);
   if (letter == 'M') return add_code(words.m, value);

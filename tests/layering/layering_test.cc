@@ -35,7 +35,7 @@ std::optional<std::string> included_file(const std::string& line) {
 // The library to which a file belongs: the innermost folder around it that is one, a module; or the
 // first part of its path.
 std::string library_of(const Layers& layers, const std::string& file) {
-  const std::string folder = file.substr(0, file.find('/'));
+  std::string folder = file.substr(0, file.find('/'));
   if (folder == "stanok_messages") return "messages";
   for (std::size_t end = file.rfind('/'); end != std::string::npos && end > 0;
        end = file.rfind('/', end - 1)) {

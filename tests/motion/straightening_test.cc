@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "tests/motion/path_fixture.h"
 #include "tests/motion/path_samples.h"
 
 namespace stanok::motion::testing {
@@ -32,8 +33,10 @@ struct Steps {
 // Steps of x and y in turn.
 Steps stairs(int count, double x, double y, double tolerance, double straightening = -1.0) {
   Steps steps;
-  for (int n = 1; n <= count; ++n)
-    steps.to({x * ((n + 1) / 2), y * (n / 2)}, tolerance, straightening);
+  for (int n = 1; n <= count; ++n) {
+    const int steps_of_y = n / 2;
+    steps.to({x * (n - steps_of_y), y * steps_of_y}, tolerance, straightening);
+  }
   return steps;
 }
 

@@ -23,6 +23,8 @@ struct OraclePlunge {
 
 // `watch`: time, X and force after each step. The law, then the wheel stands for some revolutions.
 // The steps of a revolution are chosen so that the spring is resolved.
+// One integrator, read beside its equations.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity)
 inline OraclePlunge run_plunge(const process::GrindingProcess& p, const process::InfeedLaw& law,
                                double spark_out_revolutions, int steps_per_turn = 0,
                                const std::function<void(double, double, double)>& watch = {}) {

@@ -34,7 +34,8 @@ Measured measure(const AnalyticPart& part, double resolution) {
   Measured measured;
   for (int i = 0; i < grids; ++i) {
     Blank blank = part.blank;
-    blank.resolution = resolution * (1.0 + 0.02 * (i - grids / 2));
+    const int from_the_middle = i - grids / 2;
+    blank.resolution = resolution * (1.0 + 0.02 * from_the_middle);
     Workpiece workpiece(blank, *grid_of(blank));
     const double surface_before = volume_of_surface(workpiece);
     const double rays_before = workpiece.material().volume();

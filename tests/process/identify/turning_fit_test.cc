@@ -35,6 +35,8 @@ HiddenLathe hidden(std::mt19937& random) {
 
 // A bar of three depths, cut at two speeds with feeds that change every few turns. The surface is
 // kept for each of 360 angles; the lag is solved in steps of a twentieth of a millisecond.
+// One integrator, read beside its equations.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity)
 CutRecord recorded(const HiddenLathe& lathe, std::mt19937& random) {
   constexpr int angles = 360;
   constexpr int steps = 20;

@@ -172,6 +172,12 @@ class Writer {
     line("G1 X" + text_of(at_[0], 3) + feed_word());
   }
 
+  // X and Y, or, where G18 is active, X and Z; Z is the first axis of that plane.
+  std::string end_in_plane(double first, double second) {
+    return turns() ? " Z" + number(second) + " X" + number(first)
+                   : " X" + number(first) + " Y" + number(second);
+  }
+
   void arc() {
     const double radius = std::abs(step()) + (choices_.chance(0.8) ? 0.01 : 0.0);
     const double from = choices_.between(-std::numbers::pi, std::numbers::pi);
@@ -183,11 +189,7 @@ class Writer {
     if (std::abs(at_[0] + by) > reach_mm || std::abs(at_[1] + aside) > reach_mm) return;
     at_[0] += by;
     at_[1] += aside;
-    // First axis of the plane: X in G17, Z in G18, where the second one is X.
-    std::string words = turns() ? " Z" + number(incremental_ ? aside : at_[1]) + " X" +
-                                      number(incremental_ ? by : at_[0])
-                                : " X" + number(incremental_ ? by : at_[0]) + " Y" +
-                                      number(incremental_ ? aside : at_[1]);
+    std::string words = end_in_plane(incremental_ ? by : at_[0], incremental_ ? aside : at_[1]);
     if (choices_.chance(0.25)) {
       words += " R" + number(std::abs(sweep) > std::numbers::pi ? -radius : radius);
     } else {
