@@ -41,20 +41,16 @@ Verdict WaitDesk::wait_at_mark(const Errand& errand) const RT_SAFE {
   return lost_partner(errand.asker).value_or(pending());
 }
 
-std::optional<Verdict> WaitDesk::arrive(int index) RT_SAFE {
+bool WaitDesk::comes_to_mark(int index) RT_SAFE {
   const Errand& errand = errand_of(index);
-  const auto* const mark =
-      errand.active ? std::get_if<requests::MarkWait>(&errand.request) : nullptr;
-  if (mark == nullptr && !channels_[index].marks.is_waiting()) rendezvous_.leave(index);
-  std::optional<Verdict> fault;
-  if (mark != nullptr) fault = arrive_at_mark(index, *mark);
-  arrive_at_soft_mark(index);
-  return fault;
+  const bool waits = errand.active && std::holds_alternative<requests::MarkWait>(errand.request);
+  if (!waits && !channels_[index].marks.is_waiting()) rendezvous_.leave(index);
+  return waits && errand.stage == 0;
 }
 
-std::optional<Verdict> WaitDesk::arrive_at_mark(int index, const requests::MarkWait& mark) RT_SAFE {
+std::optional<Verdict> WaitDesk::arrive_at_mark(int index) RT_SAFE {
   Errand& errand = errand_of(index);
-  if (errand.stage > 0) return std::nullopt;
+  const auto& mark = *std::get_if<requests::MarkWait>(&errand.request);
   errand.stage = 1;
   rendezvous_.arrive(index, mark.mark, channels_.with_ids(mark.channels), errand.tag);
   const auto fault = fault_of_arrival(index);

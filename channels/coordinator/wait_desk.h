@@ -32,7 +32,10 @@ class WaitDesk {
   template <class Conclude>
   void advance(Conclude&& conclude) RT_SAFE {
     for (int k = 0; k < channels_.count(); ++k) {
-      if (const auto fault = arrive(k)) conclude(errand_of(k), *fault);
+      if (comes_to_mark(k)) {
+        if (const auto fault = arrive_at_mark(k)) conclude(errand_of(k), *fault);
+      }
+      arrive_at_soft_mark(k);
     }
     meet();
   }
@@ -42,9 +45,9 @@ class WaitDesk {
 
  private:
   [[nodiscard]] Errand& errand_of(int index) const RT_SAFE { return errands_[index]; }
-  [[nodiscard]] std::optional<Verdict> arrive(int index) RT_SAFE;
-  [[nodiscard]] std::optional<Verdict> arrive_at_mark(int index, const requests::MarkWait& mark)
-      RT_SAFE;
+  // In the cycle in which its request begins to wait there. Who waits no more has left its mark.
+  [[nodiscard]] bool comes_to_mark(int index) RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> arrive_at_mark(int index) RT_SAFE;
   void arrive_at_soft_mark(int index) RT_SAFE;
   void meet() RT_SAFE;
   void work_soft_mark(int index) RT_SAFE;

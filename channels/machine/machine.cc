@@ -91,6 +91,7 @@ struct Seat {
   BlockBook block_book;
   Preparation preparation;
   Channel channel;
+  RowAtWork row_at_work;
 };
 
 OwnerFailures owner_rules(const MachineConfig& config) {
@@ -211,7 +212,8 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
   for (std::size_t k = 0; k < parts.seats.size(); ++k) {
     ChannelOutput& shown = output.channels[k];
     parts.seats[k]->channel.fill(shown);
-    shown.tool_row = parts.tables.row(shown.tool.number, shown.tool.edge);
+    shown.tool_row =
+        parts.seats[k]->row_at_work.of(parts.tables, shown.tool.number, shown.tool.edge);
   }
   parts.coordinator->show_owners(output);
 }

@@ -41,9 +41,8 @@ void Preparation::break_off(std::string_view code, std::string_view reason) {
 
 Progress Preparation::work() {
   Progress progress = Progress::blocked;
-  Notice notice;
-  while (link_.notices.pop(notice)) {
-    std::visit([this](const auto& told) { obey(told); }, notice);
+  if (!link_.notices.empty()) {
+    obey_notices();
     progress = Progress::worked;
   }
   if (!parts_.queue.flush()) return progress;
@@ -51,6 +50,11 @@ Progress Preparation::work() {
   progress = interpret();
   static_cast<void>(parts_.queue.flush());
   return progress;
+}
+
+void Preparation::obey_notices() {
+  Notice notice;
+  while (link_.notices.pop(notice)) std::visit([this](const auto& told) { obey(told); }, notice);
 }
 
 void Preparation::obey(const ProgramLoad& load) {

@@ -37,6 +37,7 @@ class Preparation {
   void break_off(std::string_view code, std::string_view reason);
   void forget_path();
 
+  void obey_notices();
   // Notices of the cycle, one overload for each.
   void obey(const ProgramLoad& load);
   void obey(const LineLoad& load);

@@ -255,6 +255,7 @@ bool LiveTables::set_tool_value(int number, int edge, int value, double to, Writ
   ToolPlace& row = tools_[place];
   row.values[value - 1].store(to, std::memory_order_relaxed);
   row.exists.store(true, std::memory_order_release);
+  tool_writes_.fetch_add(1, std::memory_order_release);
   return true;
 }
 

@@ -83,6 +83,10 @@ class LiveTables {
   [[nodiscard]] std::optional<double> tool_value(int number, int edge, int value) const RT_SAFE;
   // Number 0 where there is no such tool, and of tool 0, which is none.
   [[nodiscard]] ToolRow row(int number, int edge) const RT_SAFE;
+  // How often values of tools were written: as long as it is the same, so are the rows.
+  [[nodiscard]] std::uint64_t tool_writes() const RT_SAFE {
+    return tool_writes_.load(std::memory_order_acquire);
+  }
   // A tool is there, or an operator's value would make one.
   [[nodiscard]] bool has_place(int number, int edge) const RT_SAFE;
   [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to,
@@ -121,6 +125,27 @@ class LiveTables {
   NumberedList<std::atomic<double>> reference_points_;  // by reference_cell()
   NumberedList<std::atomic<double>> variables_;         // by variable_cell()
   NumberedList<ToolPlace> tools_;                       // ascending by number and edge
+  std::atomic<std::uint64_t> tool_writes_{0};
+};
+
+// The row of the tool at work, looked for again when tool or table have changed.
+class RowAtWork {
+ public:
+  [[nodiscard]] const ToolRow& of(const LiveTables& tables, int number, int edge) RT_SAFE {
+    const std::uint64_t writes = tables.tool_writes();
+    if (number == number_ && edge == edge_ && writes == writes_) return row_;
+    row_ = tables.row(number, edge);
+    number_ = number;
+    edge_ = edge;
+    writes_ = writes;
+    return row_;
+  }
+
+ private:
+  ToolRow row_;
+  int number_ = 0;
+  int edge_ = 1;
+  std::uint64_t writes_ = 0;
 };
 
 // Reads or writes what a program asks of the tables; `machine_axes`: the axes of its channel,
