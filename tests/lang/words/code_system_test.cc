@@ -29,7 +29,8 @@ INSTANTIATE_TEST_SUITE_P(
         Named{CodeSystem::a, "G94 is active since line 7", "G98 is active since line 7"},
         Named{CodeSystem::a, "`G92.1`", "`G50.3`"}, Named{CodeSystem::b, "`G77`", "`G77`"},
         Named{CodeSystem::c, "`G77`, write e.g. `G21 X1`", "`G20`, write e.g. `G71 X1`"},
-        Named{CodeSystem::a, "add G-codes, NG77, G77X, G7700, G 77", "add G-codes, NG77, G77X, G7700, G 77"},
+        Named{CodeSystem::a, "add G-codes, NG77, G77X, G7700, G 77",
+              "add G-codes, NG77, G77X, G7700, G 77"},
         Named{CodeSystem::a, "", ""}, Named{CodeSystem::a, "G", "G"},
         Named{CodeSystem::a, "G77", "G90"}, Named{CodeSystem::a, "the end G77.", "the end G90."}));
 
