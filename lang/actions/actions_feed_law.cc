@@ -52,7 +52,7 @@ bool check_surroundings(ActiveBlock& block, const LawForm& form, LawScope scope)
   const WordName word = first_law_word(block.words);
   if (!allows_feed_law(block, word)) return false;
   if (scope == LawScope::block && !path_has_length(block)) {
-    block.fault =
+    block.faults.first =
         law_without_path(block.words, "for a motion of rotary axes alone", "no path in mm");
   } else if (const LawType& type = law_type_of(form);
              !type.takes_feed.empty() && !feed_is_known(block.modal)) {
@@ -70,14 +70,14 @@ void take_feed_law(ActiveBlock& block, CodeNumber) {
   const LawWords words = law_words_of(block.words);
   const auto form = form_of(words);
   if (!form) {
-    block.fault = form.error();
+    block.faults.first = form.error();
     return;
   }
   const LawScope scope = block_moves(block) ? LawScope::block : LawScope::modal;
   if (!check_surroundings(block, **form, scope)) return;
   auto law = read_feed_law(law_surroundings(block), **form, words, scope);
   if (!law) {
-    block.fault = std::move(law).error();
+    block.faults.first = std::move(law).error();
     return;
   }
   if (const auto speed = first_speed_of(**form);

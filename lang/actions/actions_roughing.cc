@@ -119,9 +119,9 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
     if (inner.awaits_position) {
       fail_contour(block, code,
                    "TCP (RTCP) is switched in line " + std::to_string(one.origin.line));
-    } else if (inner.fault) {
+    } else if (inner.faults.first) {
       fail_contour(block, code,
-                   "line " + std::to_string(one.origin.line) + ": " + inner.fault->message);
+                   "line " + std::to_string(one.origin.line) + ": " + inner.faults.first->message);
     } else {
       corners.select(inner.end.corner, modal.plane(), start_W);
       cut_corners(block, code, queue, corners);

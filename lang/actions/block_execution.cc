@@ -212,11 +212,11 @@ void execute_block(ActiveBlock& block) {
   BlockCodes codes;
   if (auto fault =
           resolve_codes(block.words, &block.channel.kind, block.channel_words.dialect(), codes)) {
-    block.fault = std::move(fault);
+    block.faults.first = std::move(fault);
     return;
   }
   if (auto fault = check_master(block.words, block.channel)) {
-    block.fault = std::move(fault);
+    block.faults.first = std::move(fault);
     return;
   }
   block.dwell_word = dwell_word(block.words, codes);
@@ -229,18 +229,18 @@ void execute_block(ActiveBlock& block) {
   refuse_axes_that_are_spindles(block);
   if (block.failed()) return;
   if (auto fault = missing_axes(codes, axis_words_of(block))) {
-    block.fault = std::move(fault);
+    block.faults.first = std::move(fault);
     return;
   }
   if (auto fault = other_meaning(
           {block.words, codes, block.channel.kind, block.programmed != 0, &block.modal})) {
-    block.fault = std::move(fault);
+    block.faults.first = std::move(fault);
     return;
   }
   add_modal_motion(block, codes, block.words.letters & ~codes.words);
   if (block.failed()) return;
   if (auto fault = check_feed_law(block.words, codes, axis_words_of(block))) {
-    block.fault = std::move(fault);
+    block.faults.first = std::move(fault);
     return;
   }
   check_unused(block, codes);

@@ -8,8 +8,8 @@
 namespace stanok::lang {
 
 // Executes the block: its commands are in block.queue, the modal state is the one after it. On
-// failure block.fault is set and the modal state is of no use any more. A block that awaits the
-// position of the axes is executed in two parts (block.awaits_position).
+// failure block.faults.first is set and the modal state is of no use any more. A block that awaits
+// the position of the axes is executed in two parts (block.awaits_position).
 void execute_block(ActiveBlock& block);
 
 // The most frequent block straight into its command, past the queue: G0 or G1 (or neither) with

@@ -8,7 +8,7 @@ namespace stanok::lang {
 
 BlockFault& ActiveBlock::fail(std::string_view code, WordName word, std::string message,
                               std::string label) {
-  std::optional<BlockFault>& told = fault ? later_fault : fault;
+  std::optional<BlockFault>& told = faults.first ? faults.later : faults.first;
   told = fault_at(code, std::move(word), std::move(message), std::move(label));
   return *told;
 }

@@ -78,6 +78,12 @@ struct BlockEnd {
   CornerRequest corner;  // ,C or ,R
 };
 
+// Why a block fails.
+struct BlockFaults {
+  std::optional<BlockFault> first;  // which is told
+  std::optional<BlockFault> later;  // so that help for it does not go to the first one
+};
+
 struct ActiveBlock : BlockSurroundings {
   ActiveBlock(const BlockWords& block_words, const BlockSurroundings& surroundings,
               std::uint32_t block_line)
@@ -108,13 +114,12 @@ struct ActiveBlock : BlockSurroundings {
 
   BlockFlow flow;
 
-  std::optional<BlockFault> fault;        // the first one, which is told
-  std::optional<BlockFault> later_fault;  // so that help for it does not go to the first one
+  BlockFaults faults;
 
   // Records why the block fails; the first reason stands. The result may be completed.
   BlockFault& fail(std::string_view code, WordName word, std::string message,
                    std::string label = {});
-  [[nodiscard]] bool failed() const { return fault.has_value(); }
+  [[nodiscard]] bool failed() const { return faults.first.has_value(); }
 
   [[nodiscard]] bool has(char letter) const { return words.has(letter); }
   [[nodiscard]] double value(char letter) const { return words.value(letter); }

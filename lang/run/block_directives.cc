@@ -92,7 +92,7 @@ void BlockDirectives::set_feed_law(const Instruction& instruction) {
   if (!law) return fail_feed_law(std::move(law).error());
   const bool allowed = allows_feed_law(block, {}) &&
                        (!has_speeds || spindle_takes_law(block, {}, "speeds of a curve"));
-  if (!allowed) return fail_feed_law(std::move(*block.fault));
+  if (!allowed) return fail_feed_law(std::move(*block.faults.first));
   lang::set_feed_law(block, std::move(*law));
 }
 

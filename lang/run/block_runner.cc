@@ -204,8 +204,8 @@ BlockFlow BlockRunner::execute() {
   const AxisValues start_W = state_.modal.position_W;
   execute_block(block);
   code_changes_.note(state_.blocks, state_.modal.codes);
-  if (block.fault) {
-    fail(std::move(*block.fault));
+  if (block.faults.first) {
+    fail(std::move(*block.faults.first));
     return {};
   }
   if (block.awaits_position) {
