@@ -39,6 +39,15 @@ motion::Point start_of(const channels::MachineConfig& machine,
   return point;
 }
 
+Diagnostic left_warning(const std::string& message, std::string help) {
+  Diagnostic warning;
+  warning.code = "W820";
+  warning.severity = Severity::warning;
+  warning.message = message + "; it was followed up to here";
+  warning.help = {std::move(help)};
+  return warning;
+}
+
 }  // namespace
 
 DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
@@ -99,16 +108,18 @@ bool DryRun::load(const std::string& program, Diagnostics& diagnostics) {
 // follow; one that only computes is ended by the interpreter (E8005).
 bool DryRun::may_go_on(const lang::Command& command, Diagnostics& diagnostics) {
   interpreter_.renew_steps();
-  if (interpreter_.steps() <= steps_max_) return true;
-  Diagnostic warning;
-  warning.code = "W820";
-  warning.severity = Severity::warning;
-  warning.message = "the program did not come to its end within " +
-                    std::to_string(description_.bounds.steps / 1'000'000) +
-                    " million steps; it was followed up to here";
-  warning.help = {
-      "if it is to come to an end, see the loop; else raise `program_steps_max` of the "
-      "machine file, or --steps"};
+  const std::uint64_t blocks_max = description_.bounds.blocks;
+  const bool has_blocks_left = blocks_max == 0 || command.block <= blocks_max;
+  if (interpreter_.steps() <= steps_max_ && has_blocks_left) return true;
+  const std::string begin = "the program did not come to its end within ";
+  Diagnostic warning =
+      has_blocks_left
+          ? left_warning(
+                begin + std::to_string(description_.bounds.steps / 1'000'000) + " million steps",
+                "if it is to come to an end, see the loop; else raise `program_steps_max` of the "
+                "machine file, or --steps")
+          : left_warning(begin + std::to_string(blocks_max) + " blocks",
+                         "if it is to come to an end, see the loop; else raise --limit");
   lang::put_at_block(*program_, command.origin, warning);
   diagnostics.push_back(std::move(warning));
   return false;

@@ -62,6 +62,7 @@ struct AddressAlias {
 struct ProgramBounds {
   std::size_t bytes = 256UL << 20;      // of its text, with all files
   std::uint64_t steps = 1'000'000'000;  // of a run, see Interpreter::renew_steps
+  std::uint64_t blocks = 0;             // of a dry run, which ends there; 0: any
 };
 
 // The fixed part of a channel, from the machine file.

@@ -1,21 +1,21 @@
 #include "client/offline/check/check_command.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <chrono>
-#include <cstdio>
-#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
 
+#include "client/offline/check/check_record.h"
 #include "client/offline/check/check_report.h"
 #include "client/offline/check/law_report.h"
+#include "client/offline/library/library_run.h"
 #include "client/offline/machine/job_options.h"
 #include "client/terminal/diagnostic_output.h"
+#include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
-#include "client/terminal/progress_line.h"
 #include "config/files/machine_file.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
@@ -23,53 +23,25 @@
 namespace stanok::client {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct CheckOptions {
   JobOptions job;
   std::vector<std::string> programs;
+  LibraryOptions library;
   bool estimate = false;
 };
 
-// A program to check and the folder that the operator named, if it was found there.
-struct Candidate {
-  std::string path;
-  fs::path folder;
-};
-
-// Name ends of part programs, as CAM systems and editors write them.
-constexpr std::array<std::string_view, 7> program_extensions{".nc",  ".ngc", ".cnc", ".gcode",
-                                                             ".tap", ".mpf", ".spf"};
-
-bool is_program(const fs::directory_entry& entry) {
-  std::string extension = entry.path().extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return entry.is_regular_file() && std::find(program_extensions.begin(), program_extensions.end(),
-                                              extension) != program_extensions.end();
-}
-
-std::vector<Candidate> programs_below(const std::string& folder) {
-  std::vector<Candidate> found;
-  const auto options = fs::directory_options::skip_permission_denied;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, options)) {
-    if (is_program(entry)) found.push_back({entry.path().lexically_normal().string(), folder});
-  }
-  if (found.empty()) {
-    throw CLI::ValidationError("PROGRAM", "no part program (.nc, .ngc, ...) in " + folder);
-  }
-  std::sort(found.begin(), found.end(),
-            [](const Candidate& a, const Candidate& b) { return a.path < b.path; });
-  return found;
+runtime::ProgramFiles files_of(const Candidate& candidate, const JobOptions& job,
+                               const channels::MachineConfig& machine, runtime::TextBook* book) {
+  std::vector<LocatedProgram> roots{locate(candidate.path)};
+  if (!candidate.folder.empty()) roots.push_back({"", candidate.folder});
+  return {search_roots(roots, job), runtime::program_format(machine), book};
 }
 
 CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
-                       const channels::MachineConfig& machine) {
+                       const channels::MachineConfig& machine, runtime::TextBook& book) {
   const auto begin = std::chrono::steady_clock::now();
   const LocatedProgram program = locate(candidate.path);
-  std::vector<LocatedProgram> roots{program};
-  if (!candidate.folder.empty()) roots.push_back({"", candidate.folder});
-  const runtime::ProgramFiles files(search_roots(roots, job), runtime::program_format(machine));
+  const runtime::ProgramFiles files = files_of(candidate, job, machine, &book);
   auto result = runtime::check_program(machine, job.channel, scheme_of(job), program.name, files);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   if (!candidate.folder.empty()) {  // in a folder a name alone may be that of several programs
@@ -81,36 +53,52 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
           std::move(result.laws)};
 }
 
-std::vector<CheckedProgram> check_all(const std::vector<Candidate>& candidates,
-                                      const JobOptions& job) {
-  constexpr std::size_t bar_columns = 79;
-  const auto machine = machine_file_of(job);
-  ProgressLine progress;
+// A program whose check ended the process that did it.
+CheckedProgram lost(const Candidate& candidate, const std::string& death) {
+  Diagnostic diagnostic;
+  diagnostic.code = "E8006";
+  diagnostic.place.file = candidate.path;
+  diagnostic.message = "the check of " + candidate.path + " ended its process: " + death;
+  diagnostic.help = {"this is a fault of stanok: report it, with the program"};
+  return {candidate.path, {diagnostic}, 0, 0.0};
+}
+
+// All programs in their order; nothing: interrupted.
+std::optional<std::vector<CheckedProgram>> check_all(const Candidates& candidates,
+                                                     const CheckOptions& options) {
+  const JobOptions& job = options.job;
+  const auto file = machine_file_of(job);
+  const channels::MachineConfig& machine = file.machine;
   std::vector<CheckedProgram> programs;
-  for (const Candidate& candidate : candidates) {
-    if (candidates.size() > 1)
-      progress.show(progress_bar(programs.size(), candidates.size(), candidate.path, bar_columns));
-    programs.push_back(checked(candidate, job, machine.machine));
-    progress.clear();
-    if (job.json) continue;
+  const auto keep = [&](CheckedProgram program) {
+    programs.push_back(std::move(program));
+    if (job.json) return;
     for (const Diagnostic& diagnostic : programs.back().diagnostics) print(diagnostic);
-  }
+  };
+  const LibraryWork work{
+      .result =
+          [&](const Candidate& candidate, runtime::TextBook& book) {
+            return check_record(checked(candidate, job, machine, book));
+          },
+      .files =
+          [&](const Candidate& candidate) {
+            return std::make_unique<runtime::ProgramFiles>(
+                files_of(candidate, job, machine, nullptr));
+          },
+      .take =
+          [&](const Candidate& candidate, const std::string& result, const std::string& death) {
+            keep(death.empty() ? checked_program(result) : lost(candidate, death));
+          },
+      .context = options.library.cache.empty() ? "" : context_of(file, asked_of(job))};
+  if (!run_library(candidates, options.library, work)) return std::nullopt;
   return programs;
 }
 
 int run(const CheckOptions& options) {
-  std::vector<Candidate> candidates;
-  bool folders = false;
-  for (const std::string& name : options.programs) {
-    if (!fs::is_directory(name)) {
-      candidates.push_back({name, {}});
-      continue;
-    }
-    folders = true;
-    const auto found = programs_below(name);
-    candidates.insert(candidates.end(), found.begin(), found.end());
-  }
-  const auto programs = check_all(candidates, options.job);
+  const Candidates candidates = candidates_of(options.programs);
+  const auto found = check_all(candidates, options);
+  if (!found) return exit_interrupted;
+  const std::vector<CheckedProgram>& programs = *found;
   int exit_code = 0;
   auto all = nlohmann::ordered_json::array();
   for (const CheckedProgram& program : programs) {
@@ -124,8 +112,8 @@ int run(const CheckOptions& options) {
   } else if (options.estimate) {
     write_data(estimate_table(programs, Terminal(STDOUT_FILENO)));
   } else if (options.job.json) {
-    write_json(folders ? summary_json(programs) : all);
-  } else if (folders) {
+    write_json(candidates.has_folders ? summary_json(programs) : all);
+  } else if (candidates.has_folders) {
     write_data(summary_table(programs, Terminal(STDOUT_FILENO)));
   } else if (all.empty()) {
     write_data(Terminal(STDOUT_FILENO).coloured("no errors", Colour::green) + "\n");
@@ -145,6 +133,12 @@ void add_check_command(CLI::App& app, int& exit_code) {
                     "time and figures of each block under a feed law; with --json an object");
   add_job_options(*command, options->job);
   add_steps_option(*command, options->job);
+  command
+      ->add_option("--limit", options->job.limit,
+                   "follow no program for more than so many blocks (W820)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("BLOCKS");
+  add_library_options(*command, options->library);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -41,6 +41,7 @@ void add_steps_option(CLI::App& command, JobOptions& options) {
 
 config::MachineFile machine_file_of(const JobOptions& options) {
   config::MachineFile file = config::read_machine_file(options.machine_file);
+  file.machine.program_bounds.blocks = options.limit;
   if (options.steps > 0) {
     file.machine.program_bounds.steps = static_cast<std::uint64_t>(options.steps) * 1'000'000;
   }

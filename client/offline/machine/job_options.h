@@ -16,7 +16,8 @@ struct JobOptions {
   int channel = 1;
   std::vector<std::string> schemes;  // "CH=ID"
   std::string program_root;
-  int steps = 0;  // million; 0: as the machine file says
+  int steps = 0;            // million; 0: as the machine file says
+  std::uint64_t limit = 0;  // blocks that are followed; 0: any
   bool json = false;
 };
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include "client/offline/simulate/measurement_observer.h"
 #include "client/offline/simulate/operator_events_file.h"
 #include "client/offline/simulate/sensor_file.h"
+#include "client/offline/simulate/simulate_library.h"
 #include "client/offline/simulate/speed_limits.h"
 #include "client/offline/workpiece/simulated_parts.h"
 #include "client/terminal/diagnostic_output.h"
@@ -33,7 +35,7 @@ namespace {
 
 struct SimulateOptions {
   JobOptions job;
-  std::string program;
+  std::vector<std::string> programs;
   std::vector<std::string> runs;         // CH=FILE
   std::vector<std::string> tip_traces;   // CH=FILE.csv
   std::vector<std::string> axis_traces;  // CH=FILE.csv
@@ -44,6 +46,8 @@ struct SimulateOptions {
   std::vector<std::string> why;  // lines
   WorkpieceOptions workpiece;
   double until_s = -1.0;
+  double limit_s = -1.0;  // of each program of several
+  LibraryOptions library;
   bool drives = false;
 };
 
@@ -211,7 +215,7 @@ void take_programs(const SimulateOptions& given, runtime::SimulationOptions& opt
     programs.push_back(locate(file));
     options.programs.push_back({channel, programs.back().name});
   };
-  if (!given.program.empty()) add_program(given.job.channel, given.program);
+  for (const std::string& program : given.programs) add_program(given.job.channel, program);
   for (const std::string& text : given.runs) {
     const auto [channel, file] = channel_assignment(text, "--run");
     add_program(channel, file);
@@ -330,7 +334,34 @@ void print_result(const SimulateOptions& given, const channels::MachineConfig& m
   }
 }
 
-int run(const SimulateOptions& given) {
+// Of several programs each run is by itself: what belongs to one run does not go with them.
+void check_library(const CLI::App& command, const Candidates& candidates) {
+  if (!candidates.has_folders && candidates.programs.size() == 1) {
+    for (const char* option : {"--jobs", "--cache", "--limit"}) {
+      if (command.count(option) == 0) continue;
+      throw CLI::ValidationError(option, "belongs to several programs, or a folder of them");
+    }
+    return;
+  }
+  static constexpr std::array known{"PROGRAM",        "--machine", "--channel", "--scheme",
+                                    "--program-root", "--json",    "--drives",  "--jobs",
+                                    "--cache",        "--limit"};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    const bool is_known = std::ranges::find(known, name) != known.end();
+    if (option->count() == 0 || is_known) continue;
+    throw CLI::ValidationError(name, "belongs to one run; name one program");
+  }
+}
+
+int run_library(const SimulateOptions& given, const Candidates& candidates) {
+  return simulate_library(candidates, {.job = given.job,
+                                       .library = given.library,
+                                       .limit_s = given.limit_s,
+                                       .drives = given.drives});
+}
+
+int run_one(const SimulateOptions& given) {
   runtime::SimulationOptions options = simulation_options(given);
   Observers observers(given, options);
   if (observers.parts) options.workpieces = observers.parts->workpieces();
@@ -347,12 +378,23 @@ int run(const SimulateOptions& given) {
   return code == 0 && (!log_error.empty() || !has_workpieces) ? exit_failed : code;
 }
 
+int run(const SimulateOptions& given, const CLI::App& command) {
+  if (given.programs.empty()) return run_one(given);
+  const Candidates candidates = candidates_of(given.programs);
+  check_library(command, candidates);
+  const bool is_one = !candidates.has_folders && candidates.programs.size() == 1;
+  return is_one ? run_one(given) : run_library(given, candidates);
+}
+
 }  // namespace
 
 void add_simulate_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand("simulate", "run programs on the virtual clock");
-  command->add_option("PROGRAM", options->program, "part program")->type_name("FILE");
+  command
+      ->add_option("PROGRAM", options->programs,
+                   "part program; several, or folders of them, are run one by one")
+      ->type_name("FILE");
   add_job_options(*command, options->job);
   command->add_option("--run", options->runs, "CH=FILE: run FILE on channel CH; may be repeated")
       ->type_name("CH=FILE");
@@ -382,7 +424,13 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->type_name("LINE|FILE:LINE|all")
       ->delimiter(',');
   add_workpiece_options(*command, options->workpiece);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command
+      ->add_option("--limit", options->limit_s,
+                   "end each of several programs after this machine time, s (W821)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
+  add_library_options(*command, options->library);
+  command->callback([options, command, &exit_code] { exit_code = run(*options, *command); });
 }
 
 }  // namespace stanok::client

@@ -1,0 +1,111 @@
+#include "client/offline/check/check_record.h"
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "client/offline/library/diagnostic_record.h"
+#include "client/offline/library/record.h"
+
+namespace stanok::client {
+namespace {
+
+using nlohmann::json;
+
+json optional_record(const std::optional<double>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+std::optional<double> optional_of(const json& record) {
+  return record.is_null() ? std::nullopt : std::optional(record.get<double>());
+}
+
+json estimate_record(const motion::LawEstimate& estimate) {
+  json cycle = nullptr;
+  if (estimate.cycle) {
+    cycle = {estimate.cycle->exact, optional_record(estimate.cycle->printed),
+             optional_record(estimate.cycle->corrected)};
+  }
+  return {estimate.increments,
+          estimate.feed_first,
+          estimate.feed_last,
+          estimate.time_s,
+          optional_record(estimate.closed_form_s),
+          std::move(cycle),
+          optional_record(estimate.duration_rev),
+          optional_record(estimate.spacing_rev),
+          optional_record(estimate.modulation_depth)};
+}
+
+motion::LawEstimate estimate_of(const json& record) {
+  motion::LawEstimate estimate;
+  estimate.increments = record.at(0);
+  estimate.feed_first = record.at(1);
+  estimate.feed_last = record.at(2);
+  estimate.time_s = record.at(3);
+  estimate.closed_form_s = optional_of(record.at(4));
+  if (const json& cycle = record.at(5); !cycle.is_null())
+    estimate.cycle = motion::TimeForms{.exact = cycle.at(0),
+                                       .printed = optional_of(cycle.at(1)),
+                                       .corrected = optional_of(cycle.at(2))};
+  estimate.duration_rev = optional_of(record.at(6));
+  estimate.spacing_rev = optional_of(record.at(7));
+  estimate.modulation_depth = optional_of(record.at(8));
+  return estimate;
+}
+
+json law_record(const runtime::LawBlock& law) {
+  return {{"file", law.place.file},
+          {"line", law.place.line},
+          {"kind", static_cast<int>(law.kind)},
+          {"per_revolution", law.units.per_revolution},
+          {"speed", static_cast<int>(law.units.speed)},
+          {"path_mm", law.path_mm},
+          {"estimate", estimate_record(law.estimate)},
+          {"time_is_least", law.time_is_least}};
+}
+
+runtime::LawBlock law_of(const json& record) {
+  runtime::LawBlock law;
+  law.place.file = record.at("file");
+  law.place.line = record.at("line");
+  law.kind = static_cast<motion::LawKind>(record.at("kind").get<int>());
+  law.units.per_revolution = record.at("per_revolution");
+  law.units.speed = static_cast<motion::LawSpeed>(record.at("speed").get<int>());
+  law.path_mm = record.at("path_mm");
+  law.estimate = estimate_of(record.at("estimate"));
+  law.time_is_least = record.at("time_is_least");
+  return law;
+}
+
+}  // namespace
+
+std::string check_record(const CheckedProgram& program) {
+  json laws = json::array();
+  for (const runtime::LawBlock& law : program.laws) laws.push_back(law_record(law));
+  return bytes_of({{"file", program.file},
+                   {"diagnostics", diagnostics_record(program.diagnostics)},
+                   {"blocks", program.blocks},
+                   {"seconds", program.seconds},
+                   {"laws", std::move(laws)}});
+}
+
+CheckedProgram checked_program(const std::string& bytes) {
+  const json record = record_in(bytes).value_or(json());
+  CheckedProgram program;
+  program.file = record.at("file");
+  program.diagnostics = diagnostics_of(record.at("diagnostics"));
+  program.blocks = record.at("blocks");
+  program.seconds = record.at("seconds");
+  for (const json& law : record.at("laws")) program.laws.push_back(law_of(law));
+  return program;
+}
+
+std::vector<std::string> asked_of(const JobOptions& job) {
+  std::vector<std::string> asked{"check", std::to_string(job.channel), std::to_string(job.steps),
+                                 std::to_string(job.limit)};
+  asked.insert(asked.end(), job.schemes.begin(), job.schemes.end());
+  return asked;
+}
+
+}  // namespace stanok::client
