@@ -33,8 +33,8 @@ class LibraryRun {
   }
 
   bool run() {
-    const int jobs = options_.jobs > 0 ? options_.jobs
-                                       : static_cast<int>(std::thread::hardware_concurrency());
+    const int jobs =
+        options_.jobs > 0 ? options_.jobs : static_cast<int>(std::thread::hardware_concurrency());
     const bool is_whole = jobs == 1 || programs_.size() < 2 ? run_here() : run_in_processes(jobs);
     progress_.clear();
     tell_of_cache();
@@ -67,7 +67,8 @@ class LibraryRun {
       runtime::TextBook book;
       return made + work_.result(program, book);
     }
-    if (const auto kept = cache_->find(program.path, *work_.files(program))) return kept_before + *kept;
+    if (const auto kept = cache_->find(program.path, *work_.files(program)))
+      return kept_before + *kept;
     runtime::TextBook book;
     const std::string result = work_.result(program, book);
     const bool is_kept = cache_->keep(program.path, book.take(), result);

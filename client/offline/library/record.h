@@ -1,5 +1,5 @@
-// Records that pass between processes and lie in the cache: CBOR (RFC 8949), since names and texts of
-// programs need not be UTF-8.
+// Records that pass between processes and lie in the cache: CBOR (RFC 8949), since names and texts
+// of programs need not be UTF-8.
 #pragma once
 
 #include <nlohmann/json.hpp>

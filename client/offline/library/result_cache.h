@@ -1,10 +1,10 @@
 // ResultCache: what was found out about a program, kept in a folder for the next time.
 //
-// A result depends on the program's text, on those that it calls and includes, on the machine and on
-// stanok itself. The last two, and the options of the command, are the context; the texts are noted
-// with the result and asked for again before it is taken: a result is never told of other texts than
-// those it was made from. The folder may be shared by several processes and computers, and deleted
-// at any time. docs/developer/adr/0029-results-by-digest.md.
+// A result depends on the program's text, on those that it calls and includes, on the machine and
+// on stanok itself. The last two, and the options of the command, are the context; the texts are
+// noted with the result and asked for again before it is taken: a result is never told of other
+// texts than those it was made from. The folder may be shared by several processes and computers,
+// and deleted at any time. docs/developer/adr/0029-results-by-digest.md.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,8 @@ class ResultCache {
                                                 const lang::Files& files) const;
   // Keeps a result and the texts that were asked for, and what was not found. False: the folder
   // cannot be written.
-  [[nodiscard]] bool keep(std::string_view program, const std::vector<recording::ProgramRead>& reads,
+  [[nodiscard]] bool keep(std::string_view program,
+                          const std::vector<recording::ProgramRead>& reads,
                           std::string_view result) const;
 
  private:

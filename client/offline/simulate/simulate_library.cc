@@ -73,9 +73,9 @@ Diagnostics found_in(const runtime::SimulationResult& result, double limit_s) {
     for (const std::string& text : result.refusals) found.push_back(refusal(text));
   }
   if (result.until_reached) {
-    found.push_back(diagnostic("W821", Severity::warning,
-                               fmt::format("the run was ended after {} s of machine time, the limit",
-                                           limit_s)));
+    found.push_back(diagnostic(
+        "W821", Severity::warning,
+        fmt::format("the run was ended after {} s of machine time, the limit", limit_s)));
   }
   return found;
 }

@@ -1,5 +1,5 @@
-// The real `stanok` over folders of programs: alone, several at a time and from the cache it says the
-// same.
+// The real `stanok` over folders of programs: alone, several at a time and from the cache it says
+// the same.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -133,6 +133,31 @@ TEST_F(Library, AnEndlessProgramEndsAtTheLimit) {
   const Printed simulated = run("simulate", "--limit 2 --jobs 2");
   EXPECT_NE(simulated.messages.find("W821"), std::string::npos);
   EXPECT_NE(simulated.data.find("W821"), std::string::npos);
+}
+
+// The processes of a command are ended from outside while each is at a program that takes its time.
+TEST_F(Library, AProgramWhoseProcessEndsIsTold) {
+  fs::remove_all(programs());
+  fs::create_directories(programs());
+  const std::string slow =
+      "num count = 0;\nwhile (count < 1000000000) {\n  count = count + 1;\n}\nM30\n";
+  for (const char* name : {"a.nc", "b.nc", "c.nc"}) write(name, slow);
+  const fs::path messages = folder_.path() / "messages.out";
+  const std::string script =
+      "command=$!; while kill -0 $command 2>/dev/null; do "
+      "for child in $(cat /proc/$command/task/$command/children 2>/dev/null); do "
+      "kill -KILL $child 2>/dev/null; done; sleep 0.05; done; wait $command";
+  const std::string line = "bash -c '" + stanok_program + " check " + programs().string() +
+                           " --jobs 2 --machine " + testing::source_folder() +
+                           "/config/machines/mill3.toml >/dev/null 2>" + messages.string() +
+                           " </dev/null & " + script + "'";
+  const int status = std::system(line.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 6);
+  const std::string told = text_in(messages);
+  EXPECT_NE(told.find("E8006"), std::string::npos) << told;
+  EXPECT_NE(told.find("signal 9"), std::string::npos) << told;
+  for (const char* name : {"a.nc", "b.nc", "c.nc"})
+    EXPECT_NE(told.find(name), std::string::npos) << told;
 }
 
 TEST_F(Library, WhatBelongsToOneRunIsRefusedForSeveral) {

@@ -89,8 +89,7 @@ TEST_F(ResultCacheTest, IsNoneWhenAnEarlierFolderHasAFileOfThatName) {
   ASSERT_TRUE(cache.keep("part.nc", reads(), "result"));
   fs::create_directory(folder_.path() / "first");
   write("first/sub.nc", "G0 X1\n");
-  const runtime::ProgramFiles other({folder_.path() / "first", folder_.path()},
-                                    {1U << 20U, ""});
+  const runtime::ProgramFiles other({folder_.path() / "first", folder_.path()}, {1U << 20U, ""});
   EXPECT_TRUE(cache.find("part.nc", other)) << "sub.nc is found beside part.nc";
   fs::remove(folder_.path() / "sub.nc");
   EXPECT_FALSE(cache.find("part.nc", other));

@@ -1,5 +1,5 @@
-// Pieces of work in processes of their own: in their order, and only the piece is lost whose process
-// dies.
+// Pieces of work in processes of their own: in their order, and only the piece is lost whose
+// process dies.
 #include "client/offline/library/work_pool.h"
 
 #include <gtest/gtest.h>
@@ -22,13 +22,12 @@ struct Taken {
 std::vector<Taken> done(std::size_t count, int processes,
                         const std::function<std::string(std::size_t)>& work) {
   std::vector<Taken> taken;
-  const PoolCalls calls{.work = work,
-                        .take =
-                            [&](std::size_t index, PieceResult result) {
-                              taken.push_back({index, std::move(result)});
-                            },
-                        .progress = [](std::size_t) {},
-                        .gives_up = [] { return false; }};
+  const PoolCalls calls{
+      .work = work,
+      .take = [&](std::size_t index,
+                  PieceResult result) { taken.push_back({index, std::move(result)}); },
+      .progress = [](std::size_t) {},
+      .gives_up = [] { return false; }};
   EXPECT_TRUE(do_in_processes(count, processes, calls));
   EXPECT_EQ(taken.size(), count);
   for (std::size_t k = 0; k < taken.size(); ++k) EXPECT_EQ(taken[k].index, k);
