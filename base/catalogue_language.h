@@ -258,6 +258,10 @@ inline constexpr auto language_rows = [] {
        "correct the program and start it again"},
       {"E4152", "a chamfer or rounding does not fit into its corner", end,
        "make it smaller, or the two moves longer", "correct the program and start it again"},
+      {"E4153", "a line by its angle has no end", end,
+       "give one coordinate of its end, or let a line with both coordinates and its own `,A` "
+       "follow",
+       "correct the program and start it again"},
       {"E4301", "another active mode excludes a code", end, "switch that mode off before",
        "correct the program and start it again"},
       {"E4302", "the code cannot take an axis word", end,

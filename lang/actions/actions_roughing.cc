@@ -129,6 +129,8 @@ std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Conto
     }
     if (block.failed()) return {};
   }
+  if (corners.awaits_end())
+    fail_contour(block, code, "the last line is given by its angle and has no end");
   corners.finish();
   collect_moves(block, code, corners.ready(), moves);
   return moves;

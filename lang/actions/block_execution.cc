@@ -8,6 +8,7 @@
 #include "lang/block/block_check.h"
 #include "lang/block/other_controls.h"
 #include "lang/corners/corner_words.h"
+#include "lang/corners/line_angle.h"
 #include "lang/orientation/tool_orientation.h"
 #include "lang/words/corner_word.h"
 #include "lang/words/law_address.h"
@@ -192,7 +193,10 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
   sort_by_phase(codes);
   for (std::size_t i = block.actions_done; i < codes.count && !block.failed(); ++i) {
     const Code& row = *codes.rows[i];
-    if (&row == codes.axis_user) take_polar_words(block, row);
+    if (&row == codes.axis_user) {
+      take_polar_words(block, row);
+      take_line_angle(block);
+    }
     if (block.failed()) return;
     block.actions_done = i + 1;
     if (&row != codes.resting_motion) function_of(row.action)(block, row.number);
@@ -226,6 +230,7 @@ void execute_block(ActiveBlock& block) {
   collect_axis_words(block);
   collect_incremental_words(block, codes);
   collect_polar_words(block);
+  collect_line_angle(block);
   refuse_axes_that_are_spindles(block);
   if (block.failed()) return;
   if (auto fault = missing_axes(codes, axis_words_of(block))) {
@@ -251,6 +256,7 @@ void execute_block(ActiveBlock& block) {
   if (block.failed()) return;
   block.flow.moves = block.programmed != 0 && codes.axis_user != nullptr &&
                      codes.axis_user->order == EffectOrder::motion;
+  check_line_angle(block, codes.axis_user);
   read_corner(block);
   if (block.failed()) return;
   keep_offset_of_radius(block, codes);

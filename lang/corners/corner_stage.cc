@@ -1,5 +1,6 @@
 #include "lang/corners/corner_stage.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -24,7 +25,12 @@ bool may_wait(const Payload& payload) {
          std::holds_alternative<OverrideControl>(payload);
 }
 
+bool ends_at_next_line(const CornerRequest& request) {
+  return request.line.end == LineByAngle::End::at_next_line;
+}
+
 std::string name_of(const CornerRequest& request) {
+  if (ends_at_next_line(request)) return "line by its angle `,A`";
   return request.kind == CornerRequest::Kind::chamfer ? "chamfer `,C`" : "rounding `,R`";
 }
 
@@ -35,6 +41,10 @@ void CornerStage::reset() {
   held_.reset();
   waiting_.clear();
   ready_.clear();
+}
+
+bool CornerStage::awaits_end() const {
+  return held_ && ends_at_next_line(held_->request);
 }
 
 void CornerStage::select(const CornerRequest& request, Plane plane, const AxisValues& start_W) {
@@ -61,7 +71,8 @@ PlaneElement CornerStage::element_of(const Move& move, PlanePoint start) const {
 bool CornerStage::is_element(const Move& move) const {
   if (move.machine_coordinates || move.feed_mode == FeedMode::inverse_time) return false;
   if (move.kind == MoveKind::arc) return move.plane == plane_;
-  return move.kind == MoveKind::line && norm(plane_point(move.end) - start_) > same_point;
+  if (move.kind != MoveKind::line) return false;
+  return ends_at_next_line(request_) || norm(plane_point(move.end) - start_) > same_point;
 }
 
 StageResult CornerStage::take(Command& command) {
@@ -82,8 +93,14 @@ StageResult CornerStage::take(Command& command) {
 
 StageResult CornerStage::begin(Command& command) {
   const Move* const move = std::get_if<Move>(&command.payload);
+  const bool is_good = move != nullptr && is_element(*move);
   const CornerRequest request = std::exchange(request_, {});
-  if (move == nullptr || !is_element(*move)) {
+  if (request.line.end == LineByAngle::End::given) {
+    return corner_fault(command, "E4153",
+                        "an angle and both coordinates of the end say more than there is to say",
+                        "`,A` is too much");
+  }
+  if (!is_good) {
     return corner_fault(command, "E4150",
                         "a " + name_of(request) + " needs a line at feed or an arc in the plane",
                         "no such motion");
@@ -101,20 +118,18 @@ StageResult CornerStage::go_on(Command& command) {
                             " a line at feed or an arc in the plane must follow",
                         "another motion");
   }
-  const PlaneElement next = element_of(move, start_);
-  const CornerCut cut = cut_corner(held_->element, next, held_->request);
-  if (cut.fit == CornerCut::Fit::too_large) {
-    return corner_fault(held_->command, "E4152",
-                        "the " + name_of(held_->request) + " does not fit into its corner",
-                        "too large for one of the two moves");
+  if (ends_at_next_line(held_->request)) {
+    if (auto fault = meet(command)) return fault;
+  } else if (ends_at_next_line(request_)) {
+    return corner_fault(
+        command, "E4153",
+        "behind a " + name_of(held_->request) + " the end of the line must be known",
+        "its end comes later");
+  } else if (request_.line.end == LineByAngle::End::given) {
+    return begin(command);
   }
   PlanePoint from = start_;
-  if (cut.fit == CornerCut::Fit::fits) {
-    emit_cut(cut);
-    from = cut.start_after;
-  } else {
-    pass(held_->command);
-  }
+  if (auto fault = cut(move, from)) return fault;
   held_.reset();
   release();
   if (!request_.wanted()) {
@@ -123,6 +138,61 @@ StageResult CornerStage::go_on(Command& command) {
   }
   held_ = Held{command, element_of(move, from), std::exchange(request_, {})};
   start_ = held_->element.end;
+  return std::nullopt;
+}
+
+// The held line ends where it meets that of the next move.
+StageResult CornerStage::meet(const Command& command) {
+  constexpr double parallel = 1e-6;  // sine of the angle between the lines: rounding of angles
+  const Move& next = std::get<Move>(command.payload);
+  const LineByAngle other = std::exchange(request_.line, {});
+  if (other.end != LineByAngle::End::given || next.kind != MoveKind::line) {
+    return corner_fault(command, "E4153",
+                        "the line before ends where it meets this one: this block needs G1, both "
+                        "coordinates of its end and its angle `,A`",
+                        "no line with end and angle");
+  }
+  const PlanePoint along = held_->request.line.direction;
+  const PlanePoint way = plane_point(next.end) - start_;
+  const double sine = cross(along, other.direction) / (norm(along) * norm(other.direction));
+  const double ahead = cross(way, other.direction) / cross(along, other.direction);
+  const double behind = cross(along, way) / cross(along, other.direction);
+  const bool meets = std::abs(sine) > parallel && ahead * norm(along) > same_point &&
+                     behind * norm(other.direction) > same_point;
+  if (!meets) {
+    return corner_fault(command, "E4153", "the line before and this one do not meet on their way",
+                        "see the two angles");
+  }
+  Move& move = std::get<Move>(held_->command.payload);
+  const PlanePoint corner = start_ + ahead * along;
+  move.words = static_cast<AxisSet>(move.words | axis_bit(first_) | axis_bit(second_));
+  move.end[first_] = corner.first;
+  move.end[second_] = corner.second;
+  held_->element.end = corner;
+  start_ = corner;
+  return std::nullopt;
+}
+
+// Gives out the held move, with its corner where it has one; `from`: where `move` starts then.
+StageResult CornerStage::cut(const Move& move, PlanePoint& from) {
+  if (!held_->request.cuts()) {
+    pass(held_->command);
+    return std::nullopt;
+  }
+  const CornerCut found = cut_corner(held_->element, element_of(move, start_), held_->request);
+  switch (found.fit) {
+    case CornerCut::Fit::too_large:
+      return corner_fault(held_->command, "E4152",
+                          "the " + name_of(held_->request) + " does not fit into its corner",
+                          "too large for one of the two moves");
+    case CornerCut::Fit::fits:
+      emit_cut(found);
+      from = found.start_after;
+      break;
+    case CornerCut::Fit::is_smooth:
+      pass(held_->command);
+      break;
+  }
   return std::nullopt;
 }
 
@@ -153,7 +223,7 @@ void CornerStage::release() {
 void CornerStage::finish() {
   request_ = {};
   if (!held_) return;
-  pass(held_->command);
+  if (!awaits_end()) pass(held_->command);
   held_.reset();
   release();
 }

@@ -1,12 +1,13 @@
-// Chamfers and roundings (`,C` `,R`) as a stage between the execution of blocks and radius
-// compensation: a corner is known when the next move is.
+// Chamfers and roundings (`,C` `,R`) and lines by their angle (`,A`) as a stage between the
+// execution of blocks and radius compensation: a corner is known when the next move is.
 //
 // The move of a block with such a word is held until the next move in the plane comes, which must
 // be a line at feed or an arc; it is shortened, the chamfer or rounding follows at its feed, and
 // the next move goes on from there. Coordinates that are not of the plane have their end where the
 // shortened move ends. Dwells and functions between both moves keep their order behind the corner.
-// Source: Fanuc operator's manual B-63944EN, 13.6, optional-angle chamfering and corner rounding.
-// All points in W, mm.
+// A line whose end is not known waits likewise, for a line with an end and an angle of its own:
+// both meet in one point. Source: Fanuc operator's manual B-63944EN, 13.6, optional-angle
+// chamfering and corner rounding. All points in W, mm.
 #pragma once
 
 #include <vector>
@@ -27,6 +28,8 @@ class CornerStage {
 
   // A move waits for the next one.
   [[nodiscard]] bool holds() const { return held_.has_value(); }
+  // The end of the line that waits is not known yet.
+  [[nodiscard]] bool awaits_end() const;
   // Commands must pass through take() as long as this holds.
   [[nodiscard]] bool engaged() const { return holds() || request_.wanted() || !ready_.empty(); }
 
@@ -37,7 +40,7 @@ class CornerStage {
   // The next command of the program, to be found in ready() now or later.
   [[nodiscard]] StageResult take(Command& command);
 
-  // Gives out what is held as it was programmed.
+  // Gives out what is held as it was programmed, but a line whose end is not known.
   void finish();
 
   [[nodiscard]] CommandQueue& ready() { return ready_; }
@@ -54,6 +57,8 @@ class CornerStage {
   [[nodiscard]] bool is_element(const Move& move) const;
   [[nodiscard]] StageResult begin(Command& command);
   [[nodiscard]] StageResult go_on(Command& command);
+  [[nodiscard]] StageResult meet(const Command& command);
+  [[nodiscard]] StageResult cut(const Move& move, PlanePoint& from);
   void emit_cut(const CornerCut& cut);
   void release();
   void pass(Command& command);

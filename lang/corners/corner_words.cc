@@ -47,7 +47,8 @@ void read_corner(ActiveBlock& block) {
   } else if (const auto gain = gain_in_plane(block)) {
     const auto kind =
         chamfer != nullptr ? CornerRequest::Kind::chamfer : CornerRequest::Kind::rounding;
-    block.end.corner = {kind, word->value * block.length_unit() * *gain};
+    block.end.corner.kind = kind;
+    block.end.corner.size_mm = word->value * block.length_unit() * *gain;
   } else {
     block
         .fail("E4303", place,

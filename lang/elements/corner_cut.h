@@ -12,12 +12,25 @@
 
 namespace stanok::lang {
 
+// What a block says of its line by an angle besides its end.
+struct LineByAngle {
+  enum class End : std::uint8_t {
+    of_words,      // the block has no such line, or its words give the end
+    at_next_line,  // where it meets the line of the next block, which has `given`
+    given,         // with an angle besides: it ends a line whose end was not known
+  };
+  End end = End::of_words;
+  PlanePoint direction{};  // of the line; its length says nothing
+};
+
 struct CornerRequest {
   enum class Kind : std::uint8_t { none, chamfer, rounding };
   Kind kind = Kind::none;
   double size_mm = 0.0;  // of the chamfer, or the radius
+  LineByAngle line{};
 
-  [[nodiscard]] bool wanted() const { return kind != Kind::none && size_mm > 0.0; }
+  [[nodiscard]] bool cuts() const { return kind != Kind::none && size_mm > 0.0; }
+  [[nodiscard]] bool wanted() const { return cuts() || line.end != LineByAngle::End::of_words; }
 };
 
 struct CornerCut {

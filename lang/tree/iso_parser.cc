@@ -8,8 +8,8 @@
 #include "lang/text/number.h"
 #include "lang/tree/comment_parser.h"
 #include "lang/words/code_system.h"
+#include "lang/words/corner_word.h"
 #include "lang/words/named_address.h"
-#include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
 namespace {
@@ -157,14 +157,16 @@ bool IsoParser::parse_word(IsoBlock& block) {
   return add_word(block, std::move(word));
 }
 
-// `,C2` and `,R0.5`; `,A` is a line by its angle.
+// `,C2`, `,R0.5` and `,A45`.
 bool IsoParser::parse_corner_word(IsoBlock& block) {
   const char letter = upper_case(scanner_.character(1));
-  if (letter != 'C' && letter != 'R') {
+  if (!is_corner_word(std::string{',', letter})) {
     reporter_
-        .error("E2090", scanner_.here(2), "this word is not supported in this release",
-               letter == 'A' ? "a line by its angle" : "a comma between words")
-        .help.emplace_back(find_unsupported_word(",A")->instead);
+        .error("E2001", scanner_.here(2), "behind a comma there must be C, R or A",
+               "a comma between words")
+        .help.emplace_back(
+            "write `,C` for a chamfer, `,R` for a rounding, `,A` for the angle of a "
+            "line");
     return false;
   }
   return parse_sign_word(block, {',', letter});

@@ -276,6 +276,7 @@ MaybeStatement Parser::parse_kind() {
   if (c == '[' && cursor_.source().rules().is_fanuc())
     return macro_lines_.parse_conditional_return();
   if (c == '(' || c == '@' || c == '^' || c == '$') return iso_.parse_iso();
+  if (c == ',' && upper_case(next) == 'A') return iso_.parse_iso();  // a line by its angle
   if (is_letter(c) && !is_name_start(next)) return iso_.parse_iso();
   if (is_name_start(c)) return parse_named_start();
   const Token token = scanner().peek(LineEnds::significant);

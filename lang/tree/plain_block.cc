@@ -9,6 +9,7 @@
 #include "lang/text/number.h"
 #include "lang/text/source.h"
 #include "lang/words/code_system.h"
+#include "lang/words/corner_word.h"
 
 namespace stanok::lang {
 namespace {
@@ -123,8 +124,8 @@ bool read_word(const char*& at, const char* end, BlockWords& words, TextValues& 
 [[gnu::noinline]] bool read_corner_word(const char*& at, const char* end, BlockWords& words,
                                         TextValues& values) {
   const char letter = ++at == end ? '\0' : upper_case(*at);
-  if (letter != 'C' && letter != 'R') return false;
   const std::string name{',', letter};
+  if (!is_corner_word(name)) return false;
   if (std::ranges::any_of(words.named, [&](const NamedWord& word) { return word.name == name; }))
     return false;
   ++at;
@@ -149,9 +150,15 @@ bool ends_at_semicolon(const char*& at, const char* end, Surroundings surroundin
   return skip_to_line_end(at, end);
 }
 
+// A line by its angle, with which a block may begin: `,A30`.
+bool is_line_angle(const char* at, const char* end) {
+  return end - at > 1 && *at == ',' && upper_case(at[1]) == 'A';
+}
+
 // What does not begin with a letter, within a line: corner, parentheses or setting.
 bool read_other_word(const char*& at, const char* end, BlockWords& words, TextValues& values,
                      bool& any) {
+  any = any || is_line_angle(at, end);
   if (*at == ',') return any && read_corner_word(at, end, words, values);
   if (*at == '(') return skip_parentheses(at, end);
   any = true;

@@ -1,4 +1,5 @@
-// The words `,C` and `,R` of a block: the chamfer or the rounding behind its motion.
+// The words `,C` and `,R` of a block, the chamfer or the rounding behind its motion, and `,A`, the
+// angle of its line.
 #pragma once
 
 #include <string_view>
@@ -8,8 +9,10 @@ namespace stanok::lang {
 inline constexpr std::string_view chamfer_word = ",C";
 inline constexpr std::string_view rounding_word = ",R";
 
+inline constexpr std::string_view angle_word = ",A";
+
 [[nodiscard]] constexpr bool is_corner_word(std::string_view name) {
-  return name == chamfer_word || name == rounding_word;
+  return name == chamfer_word || name == rounding_word || name == angle_word;
 }
 
 }  // namespace stanok::lang

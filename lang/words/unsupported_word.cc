@@ -16,7 +16,6 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G37", "measurement of a tool", "use `measure_tool_length` of measure/tools.nc"},
     {"G87", "boring from behind", "use G1 with M19"},
     {"G88", "boring, out by hand", "use G1 and M0 in the bottom of the hole"},
-    {",A", "a line by its angle", "write the end of the line with both coordinates"},
 });
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace stanok::lang {
 
 struct UnsupportedWord {
-  std::string_view word;     // "G34", ",A"
+  std::string_view word;     // "G34"
   std::string_view meaning;  // what it would do
   std::string_view instead;  // what does the same today
 };

@@ -35,8 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
         PlacedFaultCase{"G0 X-" + repeated("9", 400), "E1002", 1, 6},
         PlacedFaultCase{"num aa = 1e400;", "E1002", 1, 10},
         PlacedFaultCase{"{\n#include \"a.nc\"\n}", "E2012", 2, 10},
-        PlacedFaultCase{"{\nO100\n}", "E2012", 2, 1}, PlacedFaultCase{"G0 X1,A5", "E2090", 1, 6},
-        PlacedFaultCase{"G1 X1,A45", "E2090", 1, 6},
+        PlacedFaultCase{"{\nO100\n}", "E2012", 2, 1}, PlacedFaultCase{"G0 X1,B5", "E2001", 1, 6},
         PlacedFaultCase{"num sum_ = 1" + repeated("+1", 1001) + ";", "E2031", 1, 2013},
         PlacedFaultCase{"G0 X" + repeated("-", 70) + "1", "E2030", 1, 70},
         PlacedFaultCase{repeated("{", 65) + repeated("}", 65), "E2030", 1, 65}));
