@@ -9,6 +9,7 @@
 #include "base/place.h"
 #include "channels/contract/operator_action.h"
 #include "channels/machine/machine.h"
+#include "protocol/version.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
 #include "runtime/force_controls.h"
@@ -268,6 +269,12 @@ void remark_on_bytes(const recording::LogContents& contents, ReplayResult& resul
 
 void remark_on(const RecordedRun& run, ReplayResult& result) {
   const auto& description = run.contents.description;
+  if (description && description->version != protocol::version) {
+    result.remarks.push_back("recorded by stanok " + description->version + ", and this is " +
+                             std::string(protocol::version) +
+                             ": another version may plan motion anew; a log repeats with the "
+                             "version that recorded it");
+  }
   if (description && !description->build.starts_with(this_build())) {
     result.remarks.push_back("recorded by another build (" + description->build +
                              "): equal bits are promised for equal builds only");

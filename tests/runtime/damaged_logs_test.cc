@@ -119,6 +119,13 @@ TEST(Replay, OfALogWithoutCheckSumsSaysWhatIsNotCovered) {
   EXPECT_THAT(result.remarks, Contains(HasSubstr("without check sums")));
 }
 
+TEST(Replay, OfALogOfAnotherVersionSaysSo) {
+  const RecordedContour run(DriveChoice::ideal, 14, 500);
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_TRUE(result.is_same());
+  EXPECT_THAT(result.remarks, Contains(HasSubstr("recorded by stanok test")));
+}
+
 // More inputs in one cycle than the ring of the recorder holds: the same up to there, and no word
 // of a difference.
 TEST(Replay, OfALogThatLacksInputsGoesToTheLoss) {
