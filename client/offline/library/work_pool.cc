@@ -15,6 +15,7 @@
 #include <exception>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -24,8 +25,10 @@
 namespace stanok::client {
 namespace {
 
-// What passes between the processes: an index to the worker, a length and so many bytes back.
+// What passes between the processes: an index to the worker, a length and so many bytes back. With
+// `threw` in the length the bytes are those of an exception.
 using Word = std::uint64_t;
+constexpr Word threw = Word{1} << 63U;
 
 bool send_all(int descriptor, const char* bytes, std::size_t count) {
   while (count > 0) {
@@ -57,12 +60,14 @@ bool receive_all(int descriptor, char* bytes, std::size_t count) {
   Word index = 0;
   while (receive_all(descriptor, reinterpret_cast<char*>(&index), sizeof(index))) {
     std::string result;
+    Word size = 0;
     try {
       result = calls.work(static_cast<std::size_t>(index));
-    } catch (const std::exception&) {
-      ::_exit(1);
+    } catch (const std::exception& exception) {
+      result = exception.what();
+      size = threw;
     }
-    const Word size = result.size();
+    size |= result.size();
     if (!send_all(descriptor, reinterpret_cast<const char*>(&size), sizeof(size)) ||
         !send_all(descriptor, result.data(), result.size()))
       break;
@@ -120,8 +125,9 @@ class Worker {
     Word size = 0;
     if (bytes_.size() < sizeof(size)) return std::nullopt;
     std::memcpy(&size, bytes_.data(), sizeof(size));
-    if (bytes_.size() < sizeof(size) + size) return std::nullopt;
+    if (bytes_.size() < sizeof(size) + (size & ~threw)) return std::nullopt;
     std::string result = bytes_.substr(sizeof(size));
+    if ((size & threw) != 0) throw std::runtime_error(result);
     bytes_.clear();
     piece_.reset();
     return result;

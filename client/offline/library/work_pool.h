@@ -30,7 +30,8 @@ struct PoolCalls {
 };
 
 // Does all pieces from 0 to `count` with so many processes. False: given up. Throws
-// std::system_error where no process can be made.
+// std::system_error where no process can be made, and std::runtime_error with the words of what
+// `work` threw: then nothing more is done.
 [[nodiscard]] bool do_in_processes(std::size_t count, int processes, const PoolCalls& calls);
 
 }  // namespace stanok::client

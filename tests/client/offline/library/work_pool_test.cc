@@ -60,16 +60,31 @@ TEST(WorkPool, LosesOnlyThePieceWhoseProcessDies) {
   const auto taken = done(40, 3, [](std::size_t index) {
     if (index == 5) ::kill(::getpid(), SIGKILL);
     if (index == 6) ::_exit(9);
-    if (index == 39) throw std::runtime_error("lost");
     return std::string("done");
   });
   for (const Taken& one : taken) {
-    const bool is_lost = one.index == 5 || one.index == 6 || one.index == 39;
+    const bool is_lost = one.index == 5 || one.index == 6;
     EXPECT_EQ(one.result.death.empty(), !is_lost) << one.index << one.result.death;
     EXPECT_EQ(one.result.bytes, is_lost ? "" : "done");
   }
   EXPECT_NE(taken[5].result.death.find("signal 9"), std::string::npos);
   EXPECT_NE(taken[6].result.death.find("exit code 9"), std::string::npos);
+}
+
+TEST(WorkPool, ThrowsWhatTheWorkThrows) {
+  const PoolCalls calls{.work = [](std::size_t index) -> std::string {
+                          if (index == 3) throw std::invalid_argument("there is no channel 9");
+                          return "done";
+                        },
+                        .take = [](std::size_t, const PieceResult&) {},
+                        .progress = [](std::size_t) {},
+                        .gives_up = [] { return false; }};
+  try {
+    static_cast<void>(do_in_processes(10, 2, calls));
+    FAIL() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "there is no channel 9");
+  }
 }
 
 TEST(WorkPool, EndsItsProcessesWhenItGivesUp) {
