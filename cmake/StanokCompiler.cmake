@@ -30,6 +30,12 @@ endif()
 # Bit identity between runs and builds: no contraction into fused multiply-add, no fast-math.
 add_compile_options(-ffp-contract=off)
 
+# No library is replaced at load time: functions of a unit may be inlined in each other although they are
+# compiled as position independent code. (clang takes it for granted.)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-fno-semantic-interposition)
+endif()
+
 add_library(stanok_warnings INTERFACE)
 target_compile_options(stanok_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${STANOK_WERROR}>:-Werror>)
