@@ -31,6 +31,29 @@ PaceLimits widest_of(const MotionConfig& config) {
   return use.pace_limits();
 }
 
+bool is_even(const Phase& phase) {
+  return phase.a == 0.0 && phase.j == 0.0;
+}
+
+// Where a stretch may be divided: no speed changes where the phase begins.
+bool is_level(const Phase& phase) {
+  return phase.a == 0.0 && phase.v > 0.0;
+}
+
+// Whether the speed is lowest there: it has fallen before and rises behind. Every motion within the
+// limits can come to such a state and go on from it; to the top of a ramp that uses all of them
+// leads no other way than that ramp.
+bool is_lowest(const std::vector<Phase>& phases, std::size_t k) {
+  if (!is_level(phases[k])) return false;
+  std::size_t before = k;
+  while (before > 0 && is_even(phases[before - 1])) --before;
+  std::size_t behind = k;
+  while (behind < phases.size() && is_even(phases[behind])) ++behind;
+  const bool has_fallen = before == 0 || phases[before - 1].v > phases[before - 1].v_end;
+  const bool rises = behind == phases.size() || phases[behind].v_end > phases[behind].v;
+  return has_fallen && rises;
+}
+
 }  // namespace
 
 PlanImprovement::PlanImprovement(const MotionConfig& config)
@@ -159,7 +182,8 @@ bool PlanImprovement::stays(std::size_t segment) const {
   return of.process.law != nullptr || of.bounds.aberrancy * of.length > sudden * of.bounds.bend;
 }
 
-// Between places where the plan holds the feed. Long ones are divided where a = 0.
+// Between places where the plan holds the feed. Long ones are divided where the speed is lowest, or
+// where a = 0.
 void PlanImprovement::find_parts(const std::vector<Phase>& phases) {
   parts_.clear();
   constexpr double most = stretch_max;  // also of a phase that never ends
@@ -167,7 +191,8 @@ void PlanImprovement::find_parts(const std::vector<Phase>& phases) {
   std::size_t intervals = 0;
   for (std::size_t k = 0; k < phases.size(); ++k) {
     const bool is_held = holds_feed(phases[k]);
-    const bool is_long = intervals > stretch_max && phases[k].a == 0.0 && phases[k].v > 0.0;
+    const bool is_long = (intervals > stretch_max && is_lowest(phases, k)) ||
+                         (intervals > 2 * stretch_max && is_level(phases[k]));
     if (is_held || is_long) {
       add_part(phases, first, k);
       first = is_held ? k + 1 : k;
@@ -221,16 +246,21 @@ Stretch PlanImprovement::stretch_of(const std::vector<Phase>& phases, const Part
           .s1 = part.s1};
 }
 
-// A stretch of which no motion was proved: where a = 0 nearest to its middle.
+// A stretch of which no motion was proved: where the speed is lowest, or a = 0, nearest to its
+// middle.
 void PlanImprovement::divide(const std::vector<Phase>& phases, const Part& part) {
   if (part.last - part.first < divided_min) return;
   const std::size_t middle = (part.first + part.last) / 2;
+  const auto off = [middle](std::size_t at) { return at > middle ? at - middle : middle - at; };
   std::size_t best = 0;
+  bool is_best_lowest = false;
   for (std::size_t k = part.first + 2; k + 2 < part.last; ++k) {
-    if (phases[k].a != 0.0 || phases[k].v <= 0.0) continue;
-    if (phases[k].s <= part.s0 || phases[k].s >= part.s1) continue;
-    const auto off = [middle](std::size_t at) { return at > middle ? at - middle : middle - at; };
-    if (best == 0 || off(k) < off(best)) best = k;
+    if (!is_level(phases[k]) || phases[k].s <= part.s0 || phases[k].s >= part.s1) continue;
+    const bool is_low = is_lowest(phases, k);
+    const bool is_better = is_low == is_best_lowest ? off(k) < off(best) : is_low;
+    if (best != 0 && !is_better) continue;
+    best = k;
+    is_best_lowest = is_low;
   }
   if (best == 0) return;
   parts_.push_back({phases[best].s, part.s1, best, part.last});

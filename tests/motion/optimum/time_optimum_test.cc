@@ -163,6 +163,47 @@ TEST(TimeOptimum, AHoldComesToRestSoon) {
   }
 }
 
+// An arc to a point, of a radius; `side` 1: against the clock, less than half of a circle.
+PathBlock arc_of(const Point& start, const Point& end, double radius, double side) {
+  const double chord = std::hypot(end[0] - start[0], end[1] - start[1]);
+  const double from_chord = side * std::sqrt(radius * radius - 0.25 * chord * chord) / chord;
+  const std::array<double, 2> centre{0.5 * (start[0] + end[0]) - from_chord * (end[1] - start[1]),
+                                     0.5 * (start[1] + end[1]) + from_chord * (end[0] - start[0])};
+  return arc_to(start, centre, side * 2.0 * std::asin(0.5 * chord / radius), end, 248.0);
+}
+
+// Arcs that meet in corners which are passed slowly, with a straight line behind them: by ramps
+// they take longer than what is planned together. Divided on the top of the ramp on the line, which
+// nothing but that ramp reaches, no motion was found for the arcs before it.
+TEST(TimeOptimum, ALongChainOfSlowCornersIsNotDividedOnTheTopOfARamp) {
+  const MotionConfig config = three_axes(channel_limits);
+  const Point start{14.1083, -32.5423};
+  std::vector<PathBlock> blocks{line_to({-12.883, -37.9385, -0.294}, 248.0)};
+  const auto arc = [&](double x, double y, double radius, double side) {
+    const Point& at = blocks.back().end;
+    blocks.push_back(arc_of(at, {x, y, at[2]}, radius, side));
+  };
+  arc(-13.5622, -43.2259, 10.6264, -1.0);
+  arc(-15.2281, -43.8285, 2.0541, 1.0);
+  arc(-19.7062, -51.3324, 6.5237, -1.0);
+  arc(-29.9389, -47.9288, 5.8433, -1.0);
+  blocks.push_back(line_to({-27.7521, -41.9172, -0.294}, 248.0));
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    blocks[k].tag = {.run = 1, .block = k + 1};
+    blocks[k].tolerance_mm = 0.0017;
+  }
+  const auto time = [&] {
+    PathBuilder builder(config);
+    builder.restart(start);
+    for (const PathBlock& block : blocks) EXPECT_FALSE(builder.add(block));
+    builder.finish();
+    return time_of(run_path(config, builder.built()));
+  };
+  const double passed = time();
+  for (PathBlock& block : blocks) block.ending = BlockEnding::exact_stop;
+  EXPECT_LE(passed, 1.01 * time());
+}
+
 // What a hold leaves is run to its exact end.
 TEST(TimeOptimum, AfterHoldsThePlanIsRunToItsEnd) {
   const MotionConfig config = three_axes(channel_limits);
