@@ -275,9 +275,11 @@ std::size_t LookAhead::end_of_chunk(std::size_t first, double s_first, std::size
 void LookAhead::decide_overlap(Committed& end, const Committed& start) const {
   const Segment& last = end.segments.back();
   const Segment& first = start.segments.front();
-  // Straight paths that are nothing beside the length of their block give way to blends: no
-  // overlap.
-  if (last.geometry.kind == SegmentKind::line && first.geometry.kind == SegmentKind::line) {
+  // Paths that are nothing beside the length of their block give way to blends: no overlap.
+  const auto is_of_block = [](const Segment& segment) {
+    return segment.geometry.kind == SegmentKind::line || segment.geometry.kind == SegmentKind::arc;
+  };
+  if (is_of_block(last) && is_of_block(first)) {
     end.chunk.overlap_s =
         overlap_duration(*end.overlap, last_ramp(end.phases), first_ramp(start.phases),
                          {.incoming = last.length, .outgoing = first.length}, config_);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -51,7 +52,7 @@ class LookAhead {
     std::vector<Phase> phases;
     Chunk chunk;
     // The next chain may overlap the end of this chunk; how long, its start will tell.
-    std::optional<OverlapCorner> overlap;
+    std::shared_ptr<const OverlapCorner> overlap;
   };
   // Segments whose phases are known, from the end of the last chunk on.
   struct Planned {
@@ -63,7 +64,7 @@ class LookAhead {
   };
   // Of a chain.
   struct ChainEnd {
-    std::optional<OverlapCorner> overlap;
+    std::shared_ptr<const OverlapCorner> overlap;
     double stand_mm = 0.0;
   };
   // A state with a = 0 after so many segments, s of path.

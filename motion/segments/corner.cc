@@ -3,6 +3,7 @@
 #include "motion/segments/corner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/bounds/segment_bounds.h"
@@ -114,8 +115,7 @@ OverlapGain overlap_gain(const OverlapCorner& corner, const Segment& incoming,
   const CornerLeg after = leg_of(outgoing, 1.0, config);
   const OverlapRoom room{.incoming = incoming.length, .outgoing = outgoing.length};
   const double with_stop = time_with_rest(before) + time_with_rest(after);
-  OverlapGain best;
-  for (const double part : {1.0, jerk_part_allowed(corner, before.j, after.j, config)}) {
+  const auto gain_with = [&](double part) -> OverlapGain {
     const CornerLeg braking = leg_of(incoming, part, config);
     const CornerLeg starting = leg_of(outgoing, part, config);
     const PhaseRun down = ramp_down(braking.v, 0.0, 0.0, braking.ramp());
@@ -123,7 +123,18 @@ OverlapGain overlap_gain(const OverlapCorner& corner, const Segment& incoming,
     const double overlap =
         overlap_duration(corner, {down.begin(), down.end()}, {up.begin(), up.end()}, room, config);
     const double gain = with_stop + overlap - time_with_rest(braking) - time_with_rest(starting);
-    if (gain > best.time) best = {.time = gain, .jerk_part = part};
+    return {.time = gain, .jerk_part = part};
+  };
+  // On curves a plan uses what each place leaves it, of which constant limits know nothing: much
+  // gentler ramps would cost more there than is counted here. Some of the jerk is wanted where the
+  // other leg bends.
+  constexpr std::array for_bends{0.97, 0.9};
+  const std::array for_sums{jerk_part_allowed(corner, before.j, after.j, config)};
+  const auto parts = corner.curved ? std::span<const double>(for_bends) : for_sums;
+  OverlapGain best = gain_with(1.0);
+  for (const double part : parts) {
+    const OverlapGain gain = gain_with(part);
+    if (gain.time > best.time) best = gain;
   }
   return best;
 }

@@ -1,7 +1,10 @@
 #include "motion/segments/corner_overlap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "motion/path/deviation.h"
@@ -18,12 +21,24 @@ constexpr double overlap_tolerance_used = 0.99;
 // Sums of limits that hold exactly may exceed 1 by their sum_rounding.
 constexpr double sum_rounding = 1e-12;
 
-// Machine axes per path length.
-Point machine_direction(const Segment& line) {
+// The radius of the surroundings of a corner in which legs that are not straight may overlap, in
+// reaches: at equal jerks 2^3.
+constexpr double reaches_on_curves = 16.0;
+
+bool is_line(const Segment& segment) {
+  return segment.geometry.kind == SegmentKind::line;
+}
+
+bool is_line_or_arc(const Segment& segment) {
+  return is_line(segment) || segment.geometry.kind == SegmentKind::arc;
+}
+
+// Machine axes per path length, at parameter `u`.
+Point machine_direction(const Segment& segment, double u) {
   JetPoint point_s;
   JetPoint axes_M;
-  evaluate_at_parameter(line, 0.0, point_s);
-  to_machine(line, point_s, axes_M);
+  evaluate_at_parameter(segment, u, point_s);
+  to_machine(segment, point_s, axes_M);
   Point direction;
   for (std::size_t k = 0; k < axes_max; ++k) direction[k] = axes_M[k].first;
   return direction;
@@ -96,6 +111,14 @@ double peak(double v, double a, double j, double duration) {
   return crest > 0.0 && crest < duration ? std::max(ends, value(crest)) : ends;
 }
 
+// The motion goes on with its jerk.
+PathMotion after(const PathMotion& motion, double t) {
+  return {.s = motion.s + t * (motion.v + t * (0.5 * motion.a + t * motion.j / 6.0)),
+          .v = motion.v + t * (motion.a + 0.5 * t * motion.j),
+          .a = motion.a + t * motion.j,
+          .j = motion.j};
+}
+
 // Whether the sum of two motions along the legs, of constant jerk for `duration`, keeps the limits.
 bool keeps_limits(const OverlapCorner& corner, const PathMotion& one, const PathMotion& other,
                   double duration, const MotionConfig& config) {
@@ -114,6 +137,80 @@ bool keeps_limits(const OverlapCorner& corner, const PathMotion& one, const Path
     if (peak(v, a, j, duration) > velocity_max * allowed) return false;
     if (a_max > limit.acceleration_max * allowed) return false;
     if (std::abs(j) > limit.jerk_max * allowed) return false;
+  }
+  return true;
+}
+
+// The largest magnitude of a smooth function of which `values` are samples
+// (motion/path/sampling.h).
+double largest(std::span<const double> values) {
+  double most = 0.0;
+  double bend = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    most = std::max(most, std::abs(values[k]));
+    if (k == 0 || k + 1 == values.size()) continue;
+    bend = std::max(bend, std::abs(values[k - 1] - 2.0 * values[k] + values[k + 1]));
+  }
+  return most + between_samples * bend;
+}
+
+// Jets over time of the machine axes, and the speed of the path, while both legs move; `before`
+// counts its way back from the corner, `behind` from there on.
+struct SumOfLegs {
+  JetPoint axes;
+  double speed = 0.0;
+};
+
+SumOfLegs sum_of(const CurvedLegs& legs, const PathMotion& before, const PathMotion& behind,
+                 int axis_count) {
+  const auto on = [axis_count](const Segment& leg, double s, const PathMotion& motion) {
+    JetPoint point_s;
+    JetPoint point{};
+    evaluate(leg, s, point_s);
+    along_time(point_s, motion.v, motion.a, motion.j, axis_count, point);
+    return point;
+  };
+  JetPoint point = on(legs.incoming, legs.incoming.length + before.s, before);
+  const JetPoint next = on(legs.outgoing, behind.s, behind);
+  SumOfLegs sum;
+  double speed2 = 0.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(axis_count); ++k) {
+    point[k].value += next[k].value - legs.outgoing.geometry.start[k];
+    point[k].first += next[k].first;
+    point[k].second += next[k].second;
+    point[k].third += next[k].third;
+    if (legs.incoming.geometry.metric.counts(static_cast<int>(k)))
+      speed2 += point[k].first * point[k].first;
+  }
+  to_machine(legs.incoming, point, sum.axes);
+  sum.speed = std::sqrt(speed2);
+  return sum;
+}
+
+// The same of legs that are not straight, at samples; the motions are those at the start.
+bool keeps_limits_on_curves(const OverlapCorner& corner, const PathMotion& one,
+                            const PathMotion& other, double duration, const MotionConfig& config) {
+  constexpr std::size_t samples = 5;
+  std::array<SumOfLegs, samples> sums;
+  std::array<double, samples> values{};
+  const auto most = [&](const auto& value) {
+    std::ranges::transform(sums, values.begin(), value);
+    return largest(values);
+  };
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = duration * static_cast<double>(i) / (samples - 1);
+    sums[i] = sum_of(*corner.curved, after(one, t), after(other, t), config.axis_count);
+  }
+  if (most([](const SumOfLegs& sum) { return sum.speed; }) > corner.speed_max) return false;
+  for (int axis = 0; axis < config.axis_count; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    const AxisLimits& limit = config.axes[k];
+    const double velocity_max = corner.rapid ? limit.rapid_speed_max() : limit.velocity_max;
+    if (most([k](const SumOfLegs& sum) { return sum.axes[k].first; }) > velocity_max) return false;
+    if (most([k](const SumOfLegs& sum) { return sum.axes[k].second; }) > limit.acceleration_max)
+      return false;
+    if (most([k](const SumOfLegs& sum) { return sum.axes[k].third; }) > limit.jerk_max)
+      return false;
   }
   return true;
 }
@@ -145,28 +242,58 @@ bool keeps_limits(const OverlapCorner& corner, std::span<const Phase> braking,
     const double middle = instants[k - 1] + half;
     const Moment one = moment_at(braking, begin + middle);
     const Moment other = moment_at(starting, middle);
-    if (!keeps_limits(corner, motion_at(*one.phase, one.t - half),
-                      motion_at(*other.phase, other.t - half), 2.0 * half, config)) {
-      return false;
-    }
+    PathMotion before = motion_at(*one.phase, one.t - half);
+    PathMotion behind = motion_at(*other.phase, other.t - half);
+    before.s -= braking.back().s_end;
+    behind.s -= starting.front().s;
+    const bool keeps = corner.curved
+                           ? keeps_limits_on_curves(corner, before, behind, 2.0 * half, config)
+                           : keeps_limits(corner, before, behind, 2.0 * half, config);
+    if (!keeps) return false;
   }
   return true;
 }
 
+// Curvature of a line or an arc at an end, in mm per mm^2 over the geometry axes.
+double curvature_at(const Segment& segment, double u, const MotionConfig& config) {
+  JetPoint point_s;
+  evaluate_at_parameter(segment, u, point_s);
+  double sum2 = 0.0;
+  for (const int axis : config.geometry)
+    if (axis >= 0) sum2 += point_s[axis].second * point_s[axis].second;
+  return std::sqrt(sum2);
+}
+
+// On curves the directions of both legs differ by more than at the corner, by their curvature times
+// the distance from there: the reach that keeps the tolerance is smaller.
+double reach_on_curves(double reach, const Segment& incoming, const Segment& outgoing,
+                       const Tolerance& tolerance, const MotionConfig& config) {
+  const double curvature =
+      curvature_at(incoming, 1.0, config) + curvature_at(outgoing, 0.0, config);
+  return reach / (1.0 + curvature * reaches_on_curves * reach * reach / tolerance.mm);
+}
+
 }  // namespace
 
-std::optional<OverlapCorner> overlap_corner(const Segment& incoming, const Segment& outgoing,
-                                            const Tolerance& tolerance,
-                                            const MotionConfig& config) {
-  const bool straight = incoming.geometry.kind == SegmentKind::line &&
-                        outgoing.geometry.kind == SegmentKind::line && is_affine(incoming);
-  if (!straight || tolerance.mm <= 0.0 || tolerance.deg <= 0.0) return std::nullopt;
-  return OverlapCorner{
+std::shared_ptr<const OverlapCorner> overlap_corner(const Segment& incoming,
+                                                    const Segment& outgoing,
+                                                    const Tolerance& tolerance,
+                                                    const MotionConfig& config) {
+  const bool may_overlap = is_line_or_arc(incoming) && is_line_or_arc(outgoing) &&
+                           !has_singularity(incoming) && tolerance.mm > 0.0 && tolerance.deg > 0.0;
+  if (!may_overlap) return nullptr;
+  OverlapCorner corner{
       .reach = overlap_tolerance_used * corner_reach(incoming, outgoing, tolerance, config),
       .speed_max = std::min(incoming.feed_per_s, outgoing.feed_per_s),
-      .incoming = machine_direction(incoming),
-      .outgoing = machine_direction(outgoing),
+      .incoming = machine_direction(incoming, 1.0),
+      .outgoing = machine_direction(outgoing, 0.0),
       .rapid = incoming.rapid || outgoing.rapid};
+  if (!is_line(incoming) || !is_line(outgoing) || !is_affine(incoming)) {
+    corner.reach = reach_on_curves(corner.reach, incoming, outgoing, tolerance, config);
+    corner.distance_max = reaches_on_curves * corner.reach;
+    corner.curved = CurvedLegs{incoming, outgoing};
+  }
+  return std::make_shared<const OverlapCorner>(std::move(corner));
 }
 
 double jerk_part_allowed(const OverlapCorner& corner, double jerk_incoming, double jerk_outgoing,
@@ -204,9 +331,9 @@ double overlap_duration(const OverlapCorner& corner, std::span<const Phase> brak
   if (braking.empty() || starting.empty()) return 0.0;
   const double reach = corner.reach - chord_share(corner.reach, braking, starting, config.cycle_s);
   if (reach <= 0.0) return 0.0;
-  double tau =
-      std::min({time_before_end(braking, reach) + time_from_start(starting, reach),
-                time_before_end(braking, room.incoming), time_from_start(starting, room.outgoing)});
+  double tau = std::min({time_before_end(braking, reach) + time_from_start(starting, reach),
+                         time_before_end(braking, std::min(room.incoming, corner.distance_max)),
+                         time_from_start(starting, std::min(room.outgoing, corner.distance_max))});
   constexpr double shorter = 0.9;
   constexpr int attempts = 24;
   for (int k = 0; k < attempts; ++k) {

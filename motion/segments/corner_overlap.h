@@ -1,13 +1,14 @@
-// Overlap of two straight legs in time: the axes set out on the second leg before the first one has
-// ended.
+// Overlap of two legs in time: the axes set out on the second leg before the first one has ended.
 //
 // The first leg comes to rest at the corner and the second one starts there from rest. When the
 // second begins `tau` before the first has ended, the axes move by the sum of both during tau: they
 // cut the corner without standing, with continuous velocity and acceleration. Speeds, accelerations
-// and jerks are sums too, and are checked axis by axis. Derivation:
+// and jerks are sums too, and are checked axis by axis: exactly on straight lines of the machine
+// axes, at samples with a margin on arcs and where the tip is led through rotary axes. Derivation:
 // docs/developer/motion.md#overlap.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -16,22 +17,32 @@
 
 namespace stanok::motion {
 
+// Whole blocks of which one at least is not a straight line of the machine axes.
+struct CurvedLegs {
+  Segment incoming;
+  Segment outgoing;
+};
+
 // A corner that may be cut so, as far as geometry says.
 struct OverlapCorner {
   // Both legs may be this far from the corner, the first still and the second already, at the same
   // instant; mm (or deg) along the path. It keeps the tolerance whatever the profiles are.
   double reach = 0.0;
   double speed_max = 0.0;  // of the path: the lower feed of both legs
-  Point incoming{};        // machine axes per path length on the first leg
+  Point incoming{};        // machine axes per path length on the first leg, at the corner
   Point outgoing{};        // and on the second
   bool rapid = false;      // one of the legs is rapid travel
+  // Where they are, an overlap stays within this distance of the corner.
+  double distance_max = unlimited;
+  std::optional<CurvedLegs> curved = std::nullopt;
 };
 
-// None where the legs are not both straight lines of the machine axes or the path is exact.
-[[nodiscard]] std::optional<OverlapCorner> overlap_corner(const Segment& incoming,
-                                                          const Segment& outgoing,
-                                                          const Tolerance& tolerance,
-                                                          const MotionConfig& config);
+// Null where the legs are not both lines or arcs, the path is exact, or the scheme has places where
+// an axis would have to jump.
+[[nodiscard]] std::shared_ptr<const OverlapCorner> overlap_corner(const Segment& incoming,
+                                                                  const Segment& outgoing,
+                                                                  const Tolerance& tolerance,
+                                                                  const MotionConfig& config);
 
 // The part of both jerks along the legs with which their sum keeps the limits of every axis, at
 // most 1.
@@ -46,7 +57,7 @@ struct OverlapCorner {
 // begins there, that keeps the reach and the limits of every axis; neither is farther from the
 // corner than its room. 0: none.
 struct OverlapRoom {
-  double incoming = 0.0;  // length of the straight path before the corner
+  double incoming = 0.0;  // length of the path before the corner that is the leg's own
   double outgoing = 0.0;  // and behind it
 };
 [[nodiscard]] double overlap_duration(const OverlapCorner& corner, std::span<const Phase> braking,

@@ -318,7 +318,7 @@ void PathBuilder::join_corner(Pending& next) {
   const double by_stop = time_lost_by_stop(incoming, outgoing, config_) - gain.time;
   if (curve && curve->caution * curve->time_lost <= by_stop) return take(*curve, next);
   if (gain.time <= overlap_gain_min) return stop();
-  stop_with_overlap(*overlap, gain.jerk_part, next);
+  stop_with_overlap(overlap, gain.jerk_part, next);
 }
 
 // Emits a curve and what is left of the pending block before it.
@@ -434,13 +434,14 @@ void PathBuilder::stop() {
 
 // The same, but `next` may begin before, on a straight path of several times the reach: at equal
 // jerks it makes 2^3 reaches meanwhile.
-void PathBuilder::stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next) {
+void PathBuilder::stop_with_overlap(const std::shared_ptr<const OverlapCorner>& overlap,
+                                    double jerk_part, Pending& next) {
   constexpr double reaches = 16.0;
   emit_pending(pending_->whole.length, pending_->whole.geometry.end, jerk_part);
   end_chain();
   built_.back().overlap = overlap;
   next.jerk_part = jerk_part;
-  next.straight = std::min(reaches * overlap.reach, 0.5 * next.whole.length);
+  next.straight = std::min(reaches * overlap->reach, 0.5 * next.whole.length);
   pending_.reset();
 }
 

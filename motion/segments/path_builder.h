@@ -7,6 +7,7 @@
 // allowed the chain stops. docs/developer/motion.md#blends. Owner: the channel's preparation.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -53,7 +54,7 @@ class PathBuilder {
     Segment segment;
     bool ends_chain = false;  // the path stands still at the end of this segment
     // The next chain follows, and may begin before this one has ended.
-    std::optional<OverlapCorner> overlap = std::nullopt;
+    std::shared_ptr<const OverlapCorner> overlap = nullptr;
     double jerk_part = 1.0;  // of the jerk the axes allow, that the profile may use on the segment
     double stand_mm = 0.0;   // Chunk::stand_mm
     bool counts_as_block = false;  // for look-ahead: a part that a feed law made of a block
@@ -104,7 +105,8 @@ class PathBuilder {
                  double jerk_part);
   void stop();
   void stand_at_programmed_end();
-  void stop_with_overlap(const OverlapCorner& overlap, double jerk_part, Pending& next);
+  void stop_with_overlap(const std::shared_ptr<const OverlapCorner>& overlap, double jerk_part,
+                         Pending& next);
   void append(const Segment& segment, double jerk_part = 1.0);
   void append_blend(Segment segment, const Pending& next, double reach);
   void end_chain();

@@ -82,6 +82,15 @@ TEST(Overlap, RightAngleSavesTheTimeOfTheClosedForm) {
   EXPECT_LT(seconds(passed), 3.68);
 }
 
+// The start of one chain and the end of the one before it, as look-ahead gives them.
+double overlap_at_first_corner(const Built& built, const MotionConfig& config) {
+  LookAhead look_ahead(config);
+  for (const auto& segment : built) look_ahead.add(segment);
+  PathQueue queue;
+  EXPECT_TRUE(look_ahead.deliver(queue));
+  return queue.chunks.front().overlap_s;
+}
+
 TEST(Overlap, UnequalJerksMeetAtTheReachOfTheTolerance) {
   // The axes allow different jerks, so that both legs are at the reach r at different shares of
   // tau: J1 x^3 / 6 = J2 y^3 / 6 = r with x + y = tau and 2 r sin(45 deg) = e.
@@ -91,14 +100,89 @@ TEST(Overlap, UnequalJerksMeetAtTheReachOfTheTolerance) {
   Polyline line;
   line.points.push_back({});
   line.to(30, 0).to(30, 30);
-  const Built built = build(line, config);
-  LookAhead look_ahead(config);
-  for (const auto& segment : built) look_ahead.add(segment);
-  PathQueue queue;
-  ASSERT_TRUE(look_ahead.deliver(queue));
   const double r = tolerance_part * 0.01 / std::numbers::sqrt2;
   const double expected = std::cbrt(6.0 * r / 50000.0) + std::cbrt(6.0 * r / 20000.0);
-  EXPECT_NEAR(queue.chunks.front().overlap_s, expected, 1e-9);
+  EXPECT_NEAR(overlap_at_first_corner(build(line, config), config), expected, 1e-9);
+}
+
+TEST(Overlap, AnArcIsEnteredAsALineInItsDirection) {
+  // A line along X and an arc that begins along Y: within some hundredths of a millimetre of the
+  // corner an arc of 20 mm is a line but for s^2 / 2r, and tau is that of the right angle.
+  const MotionConfig config = three_axes(channel_limits, 1e-6);
+  const Point corner{20.0, 0.0};
+  for (const bool arc_is_first : {false, true}) {
+    SCOPED_TRACE(arc_is_first);
+    PathBuilder builder(config);
+    std::vector<PathBlock> blocks;
+    if (arc_is_first) {
+      builder.restart({0.0, -20.0});
+      blocks.push_back(arc_to({0.0, -20.0}, {0.0, 0.0}, 0.5 * std::numbers::pi, corner, 100.0));
+      blocks.push_back(line_to({50.0, 0.0}, 100.0));
+    } else {
+      builder.restart({-20.0, 0.0});
+      blocks.push_back(line_to(corner, 100.0));
+      blocks.push_back(arc_to(corner, {0.0, 0.0}, 0.5 * std::numbers::pi, {0.0, 20.0}, 100.0));
+    }
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      blocks[k].tag = {.run = 1, .block = k + 1};
+      ASSERT_FALSE(builder.add(blocks[k]));
+    }
+    builder.finish();
+    const double e = tolerance_part * 0.01;
+    const double tau = 2.0 * std::cbrt(6.0 * e / (std::numbers::sqrt2 * channel_limits.j));
+    const double found = overlap_at_first_corner(builder.built(), config);
+    EXPECT_GE(found, 0.99 * tau);
+    EXPECT_LE(found, 1.06 * tau);  // with 85 % of the jerk; some of it is left for the bend
+  }
+}
+
+TEST(Overlap, SmallArcsKeepTheTolerance) {
+  // Half circles side by side, whose ends meet in cusps of 60 to 120 deg: on radii of a few
+  // tolerances the legs bend away from each other within the overlap.
+  const MotionConfig config = three_axes(channel_limits);
+  int overlaps = 0;
+  for (const double radius : {0.5, 1.0, 3.0, 8.0}) {
+    SCOPED_TRACE(radius);
+    constexpr double tolerance = 0.02;
+    std::vector<PathBlock> blocks;
+    Point at{};
+    for (int n = 0; n < 6; ++n) {
+      const double half = 0.5 + 0.1 * n;  // of the sweep
+      const std::array<double, 2> centre{at[0] + radius * std::sin(half),
+                                         at[1] - radius * std::cos(half)};
+      blocks.push_back(arc_to(at, centre, -2.0 * half, at, 100.0));
+      blocks.back().tag = {.run = 1, .block = static_cast<std::uint64_t>(n + 1)};
+      blocks.back().tolerance_mm = tolerance;
+      at = blocks.back().end;
+    }
+    PathBuilder builder(config);
+    builder.restart({});
+    for (const PathBlock& block : blocks) ASSERT_FALSE(builder.add(block));
+    builder.finish();
+    for (const auto& segment : builder.built()) overlaps += segment.overlap ? 1 : 0;
+    for (const Sample& sample : run_path(config, builder.built())) {
+      double nearest = unlimited;  // distance to any of the circles within its sweep, or to a cusp
+      Point start{};
+      for (const PathBlock& block : blocks) {
+        const double x = sample.out.point[0].value - block.centre[0];
+        const double y = sample.out.point[1].value - block.centre[1];
+        const double half = 0.5 * std::abs(block.sweep_rad);
+        if (std::abs(std::atan2(x, y)) <= half)
+          nearest = std::min(nearest, std::abs(std::hypot(x, y) - radius));
+        for (const Point& end : {start, block.end})
+          nearest = std::min(nearest, std::hypot(sample.out.point[0].value - end[0],
+                                                 sample.out.point[1].value - end[1]));
+        start = block.end;
+      }
+      EXPECT_LE(nearest, tolerance);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto& axis = sample.out.axes[k];
+        EXPECT_LE(std::abs(axis.second), channel_limits.a * (1.0 + 1e-9));
+        EXPECT_LE(std::abs(axis.third), channel_limits.j * (1.0 + 1e-9));
+      }
+    }
+  }
+  EXPECT_GE(overlaps, 8);
 }
 
 TEST(Overlap, IsNoLongerThanTheRampsOfSlowLegs) {
