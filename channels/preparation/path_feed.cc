@@ -206,7 +206,12 @@ PathFeed::Refusal PathFeed::take_probing(const lang::Command& command,
   give({.tag = tag_of(command),
         .content = ProbeBegin{.until_contact = move.until_contact,
                               .alarm_when_missed = move.alarm_when_missed}});
-  return take_move(command, move.line);
+  // The request behind it ends the path. A line that ended it by itself (G9, G61.1) would be on its
+  // way before the item that watches the probe.
+  lang::Move line = move.line;
+  line.stop_at_end = false;
+  if (line.path.mode == lang::PathMode::exact_stop) line.path.mode = lang::PathMode::exact_path;
+  return take_move(command, line);
 }
 
 void PathFeed::take_request(const lang::Command& command, const lang::Request& request) {

@@ -109,6 +109,8 @@ INSTANTIATE_TEST_SUITE_P(
         ProbingCase{"missed_with_alarm", "G38.2 Z-10 F600" STANOK_SEEN, -20.0, {"E4320"}, 0.0},
         ProbingCase{"missed_without_alarm", "G38.3 Z-10 F600" STANOK_SEEN, -20.0, {}, 1.0},
         ProbingCase{"found_without_alarm", "G38.3 Z-10 F600" STANOK_SEEN, -5.0, {}, 2.0},
+        ProbingCase{"found_in_exact_stop", "G61.1\nG38.2 Z-10 F600" STANOK_SEEN, -5.0, {}, 2.0},
+        ProbingCase{"found_by_a_block_that_stops", "G9 G38.2 Z-10 F600" STANOK_SEEN, -5.0, {}, 2.0},
         ProbingCase{"touches_before", "G1 Z-6 F600\nG38.2 Z-10" STANOK_SEEN, -5.0, {"E4322"}, 0.0},
         ProbingCase{
             "touches_before_without_alarm", "G1 Z-6 F600\nG38.3 Z-10" STANOK_SEEN, -5.0, {}, 1.0},
