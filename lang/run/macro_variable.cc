@@ -1,5 +1,6 @@
 #include "lang/run/macro_variable.h"
 
+#include <algorithm>
 #include <array>
 
 #include "lang/block/point_parameter.h"
@@ -117,6 +118,13 @@ constexpr auto modals_of_lathes = std::to_array<ModalNumber>({
     {4014, Group::work_offset},
     {4016, Group::plane},
 });
+// Where Haas numbers its groups otherwise. Source: Haas operator's manuals, lists of G codes with
+// their groups.
+constexpr auto modals_of_haas = std::to_array<ModalNumber>({
+    {4012, Group::work_offset},
+    {4015, Group::path_mode},
+});
+constexpr int first_extended_offset = 10;  // G54.1 P1
 
 std::optional<int> place_in(int number, int first, int count) {
   const bool inside = number >= first && number < first + count;
@@ -168,8 +176,11 @@ std::optional<double> modal_variable(int number, const ParameterView& view,
     }
     return std::nullopt;
   };
+  if (const auto code = rules.is_haas() ? find(modals_of_haas) : std::nullopt) return code;
   if (const auto code = lathe ? find(modals_of_lathes) : find(modals_of_mills)) return code;
   switch (number) {
+    case 4107:
+      return std::max(modal.tool.radius_offset, 0);
     case 4109:
       return modal.feed.programmed;
     case 4111:
@@ -178,6 +189,8 @@ std::optional<double> modal_variable(int number, const ParameterView& view,
       return modal.spindles.speed_rev_per_min;
     case 4120:
       return modal.tool.active;
+    case 4130:
+      return std::max(modal.frames.work_offset_number - first_extended_offset + 1, 0);
     default:
       return std::nullopt;
   }
