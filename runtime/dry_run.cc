@@ -268,6 +268,7 @@ void DryRun::take_request(const lang::Command& command, const lang::Request& req
   }
   lang::Answer answer = answer_of(request);
   answer.probe_B = feed_.blocks().position_B();  // a probe is taken to change at the end of its way
+  answer.rehearsed = true;
   answer.position_B = feed_.blocks().position_B();
   answer.position_valid = true;
   interpreter_.answer(answer);

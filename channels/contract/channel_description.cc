@@ -51,6 +51,7 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   description.tool_word_has_offset = channel.t_format == "tool_offset";
   description.arc_radius_tolerance_mm = channel.arc_radius_tolerance_mm;
   for (std::size_t index = 0; index < channel.axes.size(); ++index) {
+  description.tool_measuring = channel.tool_measuring;
     const AxisConfig& axis = machine.axes[channel.axes[index]];
     description.axes.push_back({.word = channel.words[index],
                                 .rotary = axis.rotary,

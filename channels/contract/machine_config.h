@@ -81,6 +81,7 @@ struct ChannelConfig {
   double path_tolerance_mm = 0.01;
   double orientation_tolerance_deg = 0.05;
   double arc_radius_tolerance_mm = 0.01;
+  lang::ToolMeasuring tool_measuring;
   OwnerFailure on_owner_failure = OwnerFailure::hold;
   int probe_input = -1;  // digital input that is on while the probe touches; -1: no probe
   std::vector<motion::AutomaticFeedConfig> automatic_feeds;  // at most one of each law

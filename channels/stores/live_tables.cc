@@ -468,6 +468,7 @@ std::optional<lang::Tool> ChannelTables::tool_edge(int number, int edge_number) 
                     edge->length + edge->wear_length};
   tool.radius_mm = edge->radius + edge->wear_radius;
   tool.overhang_mm = edge->overhang;
+  tool.wear_mm = {edge->wear_length_x, 0.0, edge->wear_length};
   tool.orientation = edge->orientation;
   return tool;
 }

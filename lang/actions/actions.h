@@ -71,8 +71,9 @@ void cut_thread_in_passes(ActiveBlock& block, CodeNumber code);  // G76
 [[nodiscard]] double table_value(const ActiveBlock& block, AxisIndex axis);
 
 // Writing of rows of the tables: requests, which the machine answers.
-// Of edge 1; `parameter` is its name in the tool table.
-void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value);
+// `parameter` is its name in the tool table.
+void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value,
+                int edge = 1);
 // Of the channel's own table.
 void write_offset(ActiveBlock& block, int page, std::string_view parameter, int axis, double value);
 

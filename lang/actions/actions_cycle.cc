@@ -34,11 +34,14 @@ bool drills_into_side(const ActiveBlock& block, CodeNumber code) {
 // one go where Q is left out, and dwell at the bottom where P is given.
 CodeNumber kind_of_hole(const ActiveBlock& block, CodeNumber code) {
   const DrillingCycle& cycle = block.modal.cycles.drilling;
+  const bool lathe = block.channel.kind == ChannelKind::lathe;
+  // Haas bores in with G87 and leaves the way out to the operator. Source: Haas mill operator's
+  // manual, G87.
+  if (!lathe && code == g(87) && block.words.rules.is_haas()) return g(88);
   const CodeNumber kind = !drills_into_side(block, code) ? code
                           : code == g(87)                ? g(83)
                           : code == g(88)                ? g(84)
                                                          : g(85);
-  const bool lathe = block.channel.kind == ChannelKind::lathe;
   const bool in_one_go =
       lathe && kind == g(83) && cycle.peck <= 0.0 && block.words.rules.is_fanuc();
   if (in_one_go) return cycle.dwell_s > 0.0 ? g(82) : g(81);
@@ -52,6 +55,16 @@ bool needs_dwell(CodeNumber code) {
 
 bool taps(CodeNumber code) {
   return code == g(74) || code == g(84);
+}
+
+// Boring from behind: the tool goes through the hole, and R is below the bottom.
+bool bores_from_behind(CodeNumber kind) {
+  return kind == g(87);
+}
+
+// What stops the spindle, or moves its edge away from the wall, needs one that turns.
+bool needs_turning_spindle(CodeNumber kind) {
+  return kind == g(76) || kind == g(86) || kind == g(87) || kind == g(88);
 }
 
 bool pecks(CodeNumber code) {
@@ -120,17 +133,22 @@ void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
         .fail("E4061", code_word(code), name + " needs the bottom of the hole and R",
               cycle.has_bottom ? "no R" : "no bottom")
         .help.push_back("write e.g. `" + code_text('G', code) + " Z-10 R2`");
-  } else if (cycle.retract_level < cycle.bottom) {
+  } else if (bores_from_behind(kind) && cycle.retract_level > cycle.bottom) {
+    block
+        .fail("E4062", {block.has('R') ? 'R' : '\0', -1, {}},
+              name + " bores up from R to the bottom, so R lies below it", "above the bottom")
+        .help.emplace_back("R is where the tool gets its edge to the wall, behind the part");
+  } else if (!bores_from_behind(kind) && cycle.retract_level < cycle.bottom) {
     block.fail("E4062", {block.has('R') ? 'R' : '\0', -1, {}},
                "the level R lies below the bottom of the hole", "below the bottom");
   } else if (pecks(kind) && cycle.peck <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the depth of a peck", "no Q");
   } else if (needs_dwell(kind) && cycle.dwell_s < 0.0 && !block.words.rules.is_fanuc()) {
     block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
-  } else if (code == g(76) && cycle.peck <= 0.0) {
+  } else if ((code == g(76) || bores_from_behind(kind)) && cycle.peck <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the distance from the edge",
                "no Q");
-  } else if ((code == g(86) || code == g(76)) && !block.modal.spindles.any_runs) {
+  } else if (needs_turning_spindle(kind) && !block.modal.spindles.any_runs) {
     block.fail("E4064", code_word(code), name + " needs a spindle that turns",
                "no M3 or M4 before");
   } else if (block.modal.feed_mode() == FeedMode::inverse_time) {
@@ -143,7 +161,8 @@ void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
 std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
   const DrillingCycle& cycle = block.modal.cycles.drilling;
   const double depth = cycle.retract_level - cycle.bottom;
-  const double moves = pecks(code) ? 3.0 * std::ceil(depth / cycle.peck) + 4.0 : 6.0;
+  constexpr double moves_of_hole = 10.0;  // with what the spindle does
+  const double moves = pecks(code) ? 3.0 * std::ceil(depth / cycle.peck) + 4.0 : moves_of_hole;
   if (moves > moves_max) {
     block.fail("E4063", {block.has('Q') ? 'Q' : '\0', -1, {}}, "Q makes too many pecks",
                "too small");
@@ -178,8 +197,55 @@ void make_hole(HoleMoves& hole, CodeNumber code) {
     hole.tap(code);
   } else if (code == g(76)) {
     hole.bore_finely();
+  } else if (bores_from_behind(code)) {
+    hole.bore_from_behind();
   } else {
     hole.bore_out(code);
+  }
+}
+
+void position(ActiveBlock& block, HoleMoves& hole, CodeNumber kind) {
+  Move positioning;
+  resolve_ends(block, positioning);
+  positioning.words = static_cast<AxisSet>(positioning.words & ~axis_bit(hole.axis()));
+  resolve_feed(block, positioning);
+  if (bores_from_behind(kind)) {
+    hole.go_over(positioning);
+  } else {
+    hole.approach(positioning);
+  }
+}
+
+// G88 has two parts for each hole: into it, and out of it when the operator has started again.
+// `false`: the rest comes then.
+bool bore_by_hand(ActiveBlock& block, HoleMoves& hole) {
+  const bool goes_out = block.parts_done % 2 == 1;
+  ++block.parts_done;
+  if (goes_out) {
+    hole.go_on_behind_hand();
+    return true;
+  }
+  hole.bore_up_to_hand();
+  block.awaits_position = true;
+  --block.actions_done;
+  return false;
+}
+
+void make_holes(ActiveBlock& block, HoleMoves& hole, CodeNumber kind, int repeats) {
+  const bool by_hand = kind == g(88);
+  for (int i = static_cast<int>(block.parts_done / 2); i < repeats && !block.failed();) {
+    const bool goes_out = by_hand && block.parts_done % 2 == 1;
+    if (!goes_out) {
+      if (i > 0) repeat_polar_words(block);
+      position(block, hole, kind);
+      if (block.failed()) return;
+    }
+    if (!by_hand) {
+      make_hole(hole, kind);
+    } else if (!bore_by_hand(block, hole)) {
+      return;
+    }
+    if (!by_hand || goes_out) ++i;
   }
 }
 
@@ -195,28 +261,21 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   if (!axis || !uses_its_words(block, code)) return;
   if (code == g(74) && refuses_words_of_lathes(block)) return;
   DrillingCycle& cycle = block.modal.cycles.drilling;
-  if (!is_cycle(block.modal.code(Group::motion))) {
+  const bool is_begun = block.parts_done == 0;  // and not gone on with
+  if (is_begun && !is_cycle(block.modal.code(Group::motion))) {
     cycle = {};
     block.modal.cycles.motion_before = block.modal.code(Group::motion);
     cycle.initial_level = block.modal.position_W[*axis];
   }
   if (block.programmed == 0) return;
-  take_cycle_words(block, *axis);
+  if (is_begun) take_cycle_words(block, *axis);
   const CodeNumber kind = kind_of_hole(block, code);
   check_cycle(block, code, kind);
   if (block.failed()) return;
   const auto repeats = repeats_of(block, kind);
   if (!repeats) return;
   HoleMoves hole(block, *axis);
-  for (int i = 0; i < *repeats && !block.failed(); ++i) {
-    if (i > 0) repeat_polar_words(block);
-    Move positioning;
-    resolve_ends(block, positioning);
-    positioning.words = static_cast<AxisSet>(positioning.words & ~axis_bit(*axis));
-    resolve_feed(block, positioning);
-    hole.approach(positioning);
-    make_hole(hole, kind);
-  }
+  make_holes(block, hole, kind, *repeats);
 }
 
 }  // namespace stanok::lang

@@ -178,12 +178,12 @@ void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
 
 }  // namespace
 
-void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value) {
+void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value, int edge) {
   Request request;
   request.kind = RequestKind::tool_table_write;
   request.channel = tool_value_number(parameter);
   request.number = tool;
-  request.index = 1;  // edge
+  request.index = edge;
   request.text = parameter;
   request.value = value;
   block.queue.emit(request);

@@ -204,6 +204,7 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
     if (block.actions_done == i) return;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
       block.set_modal(row.group, row.number);
+    block.parts_done = 0;
     }
     if (block.awaits_position && block.actions_done < codes.count) return;
   }

@@ -99,13 +99,16 @@ void HoleMoves::dwell() {
 void HoleMoves::approach(const Move& positioning) {
   const DrillingCycle& cycle = block_.modal.cycles.drilling;
   if (block_.modal.position_W[axis_] < cycle.retract_level) rapid(cycle.retract_level);
-  if (positioning.words != 0) {
-    Move move = positioning;
-    move.end[axis_] = block_.modal.position_W[axis_];
-    advance_position(block_, move);
-    block_.queue.emit(move);
-  }
+  go_over(positioning);
   if (block_.modal.position_W[axis_] > cycle.retract_level) rapid(cycle.retract_level);
+}
+
+void HoleMoves::go_over(const Move& positioning) {
+  if (positioning.words == 0) return;
+  Move move = positioning;
+  move.end[axis_] = block_.modal.position_W[axis_];
+  advance_position(block_, move);
+  block_.queue.emit(move);
 }
 
 void HoleMoves::retract() {
@@ -146,12 +149,9 @@ void HoleMoves::bore_out(CodeNumber code) {
   if (code == g(82) || code == g(86) || code == g(89)) dwell();
   if (code == g(85) || code == g(89)) feed(cycle.retract_level);
   if (code != g(86)) return retract();
-  SpindleCommand spindle;
-  block_.queue.emit(spindle);
+  block_.queue.emit(SpindleCommand{});
   retract();
-  spindle.action = turning_of(block_.modal);
-  spindle.speed_rev_per_min = block_.modal.spindles.speed_rev_per_min;
-  block_.queue.emit(spindle);
+  turn_again();
 }
 
 void HoleMoves::tap(CodeNumber code) {
@@ -230,36 +230,90 @@ void HoleMoves::shift(double first, double second) {
   block_.queue.emit(move);
 }
 
-// The spindle stops at the angle of the last M19, and the tool goes away from its edge by Q: at
-// angle 0 the edge points along the first axis of the plane, angles run to the second one.
-void HoleMoves::bore_finely() {
-  const ModalState& modal = block_.modal;
-  const double angle = modal.spindles.orient_angle_deg * std::numbers::pi / 180.0;
-  feed(modal.cycles.drilling.bottom);
-  if (block_.failed()) return;
-  if (modal.cycles.drilling.dwell_s > 0.0) dwell();
-  SpindleCommand spindle{.action = SpindleAction::orient,
-                         .speed_rev_per_min = modal.spindles.speed_rev_per_min,
-                         .angle_deg = modal.spindles.orient_angle_deg};
-  block_.queue.emit(spindle);
-  const AxisValues over_hole = modal.position_W;
-  shift(-modal.cycles.drilling.peck * std::cos(angle),
-        -modal.cycles.drilling.peck * std::sin(angle));
-  retract();
+// The spindle stops at the angle of the last M19.
+void HoleMoves::orient() {
+  const ModalSpindles& spindles = block_.modal.spindles;
+  block_.queue.emit(SpindleCommand{.action = SpindleAction::orient,
+                                   .speed_rev_per_min = spindles.speed_rev_per_min,
+                                   .angle_deg = spindles.orient_angle_deg});
+}
+
+void HoleMoves::turn_again() {
+  block_.queue.emit(SpindleCommand{.action = turning_of(block_.modal),
+                                   .speed_rev_per_min = block_.modal.spindles.speed_rev_per_min});
+}
+
+// By Q away from the edge of the tool: at angle 0 the edge points along the first axis of the
+// plane, angles run to the second one.
+void HoleMoves::shift_off_wall() {
+  const double angle = block_.modal.spindles.orient_angle_deg * std::numbers::pi / 180.0;
+  const double distance = block_.modal.cycles.drilling.peck;
+  shift(-distance * std::cos(angle), -distance * std::sin(angle));
+}
+
+// At the height where the tool is, to the bit over the hole.
+void HoleMoves::shift_to(const AxisValues& over_hole) {
   Move back;
   back.end = over_hole;
-  back.end[axis_] = modal.position_W[axis_];
-  back.path = modal.path;
+  back.end[axis_] = block_.modal.position_W[axis_];
+  back.path = block_.modal.path;
   for (std::size_t k = 0; k < back.end.size(); ++k) {
-    if (back.end[k] != modal.position_W[k]) {
+    if (back.end[k] != block_.modal.position_W[k])
       back.words = static_cast<AxisSet>(back.words | axis_bit(k));
-    }
   }
+  if (back.words == 0) return;
   advance_position(block_, back);
   block_.queue.emit(back);
-  spindle.action = turning_of(modal);
-  spindle.angle_deg = 0.0;
-  block_.queue.emit(spindle);
+}
+
+void HoleMoves::bore_finely() {
+  feed(block_.modal.cycles.drilling.bottom);
+  if (block_.failed()) return;
+  if (block_.modal.cycles.drilling.dwell_s > 0.0) dwell();
+  orient();
+  const AxisValues over_hole = block_.modal.position_W;
+  shift_off_wall();
+  retract();
+  shift_to(over_hole);
+  turn_again();
+}
+
+// Always back to the initial level: R lies behind the part. Source: Fanuc operator's manual
+// B-64304EN-2, "Back boring cycle (G87)".
+void HoleMoves::bore_from_behind() {
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
+  const AxisValues over_hole = block_.modal.position_W;
+  orient();
+  shift_off_wall();
+  rapid(cycle.retract_level);
+  shift_to(over_hole);
+  turn_again();
+  feed(cycle.bottom);
+  if (block_.failed()) return;
+  if (cycle.dwell_s > 0.0) dwell();
+  orient();
+  shift_off_wall();
+  rapid(cycle.initial_level);
+  shift_to(over_hole);
+  turn_again();
+}
+
+void HoleMoves::bore_up_to_hand() {
+  feed(block_.modal.cycles.drilling.bottom);
+  if (block_.failed()) return;
+  dwell();
+  block_.modal.cycles.drilling.hole = block_.modal.position_W;
+  block_.queue.emit(SpindleCommand{});
+  block_.queue.emit(ProgramStop{StopKind::program_stop});
+  block_.queue.emit(Request{});
+}
+
+void HoleMoves::go_on_behind_hand() {
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
+  if (block_.modal.position_W[axis_] < cycle.retract_level) rapid(cycle.retract_level);
+  shift_to(cycle.hole);
+  turn_again();
+  retract();
 }
 
 }  // namespace stanok::lang

@@ -13,8 +13,12 @@ class HoleMoves {
   // `axis`: of the channel, along which the tool goes.
   HoleMoves(ActiveBlock& block, AxisIndex axis) : block_(block), axis_(axis) {}
 
+  [[nodiscard]] AxisIndex axis() const { return axis_; }
+
   // Over the hole: up to R first when the tool is below it.
   void approach(const Move& positioning);
+  // Over the hole, at the height where the tool is.
+  void go_over(const Move& positioning);
   void rapid(double level);
   void feed(double level);
   void dwell();
@@ -25,12 +29,21 @@ class HoleMoves {
   void bore_out(CodeNumber code);  // G81 G82 G85 G86 G89
   void tap(CodeNumber code);       // G74 G84
   void bore_finely();              // G76
+  void bore_from_behind();         // G87
+  // G88: down, and the spindle and the program stop; the operator takes the tool out. Then on from
+  // wherever it stands: up to R, over the hole, the spindle on, and to the level of G98 or G99.
+  void bore_up_to_hand();
+  void go_on_behind_hand();
 
  private:
   void go(Move move, double level);
   void tap_rigidly(int spindle, double lead_mm);
   void tap_with_floating_chuck(int spindle, SpindleAction turning, double lead_mm);
   void shift(double first, double second);
+  void orient();
+  void turn_again();
+  void shift_off_wall();
+  void shift_to(const AxisValues& over_hole);
 
   ActiveBlock& block_;
   AxisIndex axis_;

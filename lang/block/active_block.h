@@ -110,6 +110,8 @@ struct ActiveBlock : BlockSurroundings {
   bool awaits_position = false;
   std::size_t actions_done = 0;
 
+  // Of the current action, where it counts itself out: how often it has done so.
+  std::size_t parts_done = 0;
   GroupSet kept_groups = 0;  // of which the block's code does not become the active one
 
   BlockFlow flow;

@@ -15,13 +15,6 @@ std::optional<BlockFault> unavailable(const Code& code, ChannelKind kind) {
     return fault_at("E4009", word, "`" + name() + "` on a master channel",
                     "a master channel has no axes and no spindle");
   }
-  const bool bores = code.letter == 'G' && (code.number == g(87) || code.number == g(88));
-  if (kind != ChannelKind::lathe && bores) {
-    BlockFault fault = fault_at("E2090", word, "`" + name() + "` is not supported in this release",
-                                code.number == g(87) ? "back boring" : "boring, manual out");
-    fault.help.emplace_back(find_unsupported_word(name())->instead);
-    return fault;
-  }
   if (kind == ChannelKind::lathe && code.availability == Availability::mill_only) {
     return fault_at("E4009", word, "`" + name() + "` does not exist on a lathe channel", "");
   }

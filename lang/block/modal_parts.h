@@ -30,6 +30,7 @@ struct DrillingCycle {
   double lead = 0.0;           // K of tapping; 0: from F
   bool has_retract_level = false;
   bool has_bottom = false;
+  AxisValues hole{};  // G88: where the tool is bored out by hand
 };
 
 // A sequence of G77, G78 or G79: W, radii, mm.

@@ -9,6 +9,7 @@ namespace stanok::lang {
 struct ProbeResult {
   bool found = false;
   AxisValues position{};
+  bool rehearsed = false;  // no probe was there
 };
 
 }  // namespace stanok::lang

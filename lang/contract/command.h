@@ -368,6 +368,7 @@ struct Answer {
   AxisValues position_B{};
   bool position_valid = false;
   AxisValues probe_B{};
+  bool rehearsed = false;  // no probe was there: it is taken to change at the end of its way
 };
 
 using Payload =

@@ -65,6 +65,14 @@ struct ProgramBounds {
   std::uint64_t blocks = 0;             // of a dry run, which ends there; 0: any
 };
 
+// How G37 measures: the way up to `before_mm` before the place goes at rapid, from there up to
+// `within_mm` behind it at the feed. What touches farther than that from the place is no tool.
+struct ToolMeasuring {
+  double feed_mm_per_min = 100.0;
+  double before_mm = 5.0;
+  double within_mm = 2.0;
+};
+
 // The fixed part of a channel, from the machine file.
 struct ChannelDescription {
   int id = 1;
@@ -84,6 +92,7 @@ struct ChannelDescription {
   bool has_force_control = false;
   double arc_radius_tolerance_mm = 0.01;
   double finest_resolution_mm = 0.0;  // of its linear axes; 0: not known
+  ToolMeasuring tool_measuring;
   std::vector<UserCode> user_codes;
   std::vector<AddressAlias> address_alias;
   ProgramBounds bounds;
@@ -91,11 +100,12 @@ struct ChannelDescription {
 
 struct Tool {
   int number = 0;
-  std::array<double, 3> length_mm{};  // X, Y, Z
+  std::array<double, 3> length_mm{};  // X, Y, Z, with the wear
   double radius_mm = 0.0;
   int orientation = 0;       // of a lathe tool's tip, 1 to 8; 0 and 9: the centre of its nose
   double overhang_mm = 0.0;  // along the radial axis
 };
+  std::array<double, 3> wear_mm{};  // of the lengths; there is none along Y
 
 inline constexpr int reference_point_count = 4;  // 1: G28, 2 to 4: G30 P
 

@@ -99,7 +99,8 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
   }
   const Source& source = vm_.file().source;
   const std::size_t offset = source.offset_of(start);
-  place_ = {{offset, static_cast<std::uint32_t>(source.line_at(offset).size()), line}, nullptr, 0};
+  place_ = {
+      {offset, static_cast<std::uint32_t>(source.line_at(offset).size()), line}, nullptr, 0, 0};
   return LineResult::block;
 }
 
@@ -124,7 +125,7 @@ bool BlockRunner::take_block(const Instruction& instruction) {
     if (!take_computed_word(*word)) return false;
   }
   ++state_.blocks;
-  place_ = {block.span, &block.places, 0};
+  place_ = {block.span, &block.places, 0, 0};
   return true;
 }
 
@@ -201,6 +202,7 @@ void BlockRunner::begin_block() {
 BlockFlow BlockRunner::execute() {
   ActiveBlock block = state_.block_at(place_.span.line);
   block.actions_done = place_.actions_done;
+  block.parts_done = place_.parts_done;
   const AxisValues start_W = state_.modal.position_W;
   execute_block(block);
   code_changes_.note(state_.blocks, state_.modal.codes);
@@ -210,6 +212,7 @@ BlockFlow BlockRunner::execute() {
   }
   if (block.awaits_position) {
     place_.actions_done = block.actions_done;
+    place_.parts_done = block.parts_done;
     has_rest_ = true;
     return {};
   }
@@ -273,6 +276,7 @@ void BlockRunner::read_tables_again() {
 void BlockRunner::take_probe_answer(const Answer& answer) {
   const ModalState& modal = state_.modal;
   state_.probe.found = answer.ok;
+  state_.probe.rehearsed = answer.rehearsed;
   state_.probe.position = modal.frame().work_from_base(answer.probe_B);
   for (std::size_t i = 0; i < state_.channel.axes.size(); ++i) {
     double& coordinate = state_.probe.position[i];

@@ -13,9 +13,6 @@ constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
     {"G18.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
     {"G19.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
     {"G34", "a thread of variable lead", "use G33, section by section"},
-    {"G37", "measurement of a tool", "use `measure_tool_length` of measure/tools.nc"},
-    {"G87", "boring from behind", "use G1 with M19"},
-    {"G88", "boring, out by hand", "use G1 and M0 in the bottom of the hole"},
 });
 
 }  // namespace

@@ -21,6 +21,6 @@ if (1) { }
 ; expect error 20:5 E3006
 #kinematiks (1, 1)
 ; expect error 22:1 E2010
-G87 X1
+G34 X1
 ; expect error 24:1 E2090
 M30

@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
         PlacedFaultCase{"G43 H1.5", "E4008", 1, 5}, PlacedFaultCase{"G10 L2 X1", "E4007", 1, 1},
         PlacedFaultCase{"G10 L3 P1 X1", "E4008", 1, 5}, PlacedFaultCase{"G0 C1", "E4010", 1, 4},
         PlacedFaultCase{"G64 P-1", "E4008", 1, 5}, PlacedFaultCase{"M98", "E4007", 1, 1},
-        PlacedFaultCase{"M98 P5", "E7005", 1, 1}, PlacedFaultCase{"G87 X1", "E2090", 1, 1},
+        PlacedFaultCase{"M98 P5", "E7005", 1, 1}, PlacedFaultCase{"G34 X1", "E2090", 1, 1},
         PlacedFaultCase{"G34 X1 K1", "E2090", 1, 1}, PlacedFaultCase{"G=17.33", "E4004", 1, 1},
         PlacedFaultCase{"num gg = 106;\nG=gg", "E4004", 2, 1}));
 

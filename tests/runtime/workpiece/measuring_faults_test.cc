@@ -76,6 +76,8 @@ const std::string probe_over_nothing = "T9 M6\nG43\nG0 X0 Y0 Z30\nZ5\n";
 const std::string mill_over_block = std::string(block_of_faults) + "T2 M6\nG43\nG0 X0 Y0 Z30\nZ5\n";
 const std::string mill_high = "T2 M6\nG43\nG0 X0 Y0 Z150\n";
 
+constexpr const char* g37_at_the_setter = "G59.3\nG0 X0 Y0\nG37 Z0\n";
+
 INSTANTIATE_TEST_SUITE_P(
     Probes, MeasuringFaults,
     ::testing::Values(
@@ -123,6 +125,18 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"setter_is_on", [](MeasuringBench& bench) { contact(bench, 2, -1e3, 1e3); },
               mill_high.c_str(), "measure_tool_length ();\nmeasure_write_tool_length ();\n",
               "E4322"},
+        Fault{"g37_touches_too_early",
+              [](MeasuringBench& bench) {
+                bench.options.file.simulation.tools.push_back({.number = 2, .length = 78.0});
+              },
+              mill_high.c_str(), g37_at_the_setter, "E4324"},
+        Fault{"g37_never_touches",
+              [](MeasuringBench& bench) {
+                bench.options.file.simulation.tools.push_back({.number = 2, .length = 60.0});
+              },
+              mill_high.c_str(), g37_at_the_setter, "E4320"},
+        Fault{"g37_is_on", [](MeasuringBench& bench) { contact(bench, 2, -1e3, 1e3); },
+              mill_high.c_str(), g37_at_the_setter, "E4322"},
         Fault{"setter_is_on_at_the_look_for_a_break",
               [](MeasuringBench& bench) { contact(bench, 2, -1e3, 1e3); }, mill_high.c_str(),
               "if (measure_is_broken (0.5)) { msg (\"broken=1\"); }\n", "E4322"}),

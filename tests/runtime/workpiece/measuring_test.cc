@@ -285,6 +285,22 @@ TEST(Measuring, MeasuresToolsAtTheSetter) {
   EXPECT_EQ(bench.found("h"), 43.0);
 }
 
+// G37 corrects by one touch: late by the travel of a cycle at its feed of 100 mm/min.
+TEST(Measuring, CorrectsTheOffsetInForceInOneBlock) {
+  for (const double length : {75.123, 73.4, 76.9}) {
+    SCOPED_TRACE(length);
+    MeasuringBench bench;
+    bench.options.file.simulation.tools.push_back({.number = 2, .length = length});
+    const double cycle = 100.0 / 60.0 * MeasuringBench::cycle_s + 1e-6;
+    bench.run_to_end(head +
+                     "T2 M6\nG43\nG0 Z150\nG59.3 X0 Y0\nG37 Z0\n"
+                     "msg (\"z=\" + str ($prog_pos[Z], 7));\nG0 Z150\nG37 Z0\nG0 Z150\n"
+                     "msg (\"wl=\" + str (gettable_tool (2, 1, \"wear_length\"), 7));\nM30\n");
+    EXPECT_NEAR(bench.found("wl"), length - 75.0, cycle);
+    EXPECT_NEAR(bench.found("z"), 0.0, 0.02);  // with the way to rest
+  }
+}
+
 TEST(Measuring, FindsABrokenTool) {
   MeasuringBench bench;
   bench.options.file.simulation.tools.push_back({.number = 2, .length = 71.0});
