@@ -45,13 +45,14 @@ lang::ChannelDescription channel_description(const MachineConfig& machine,
   for (const SpindleConfig& spindle : machine.spindles) {
     if (spindle.encoder_pulses > 0) description.spindles_with_position.push_back(spindle.id);
   }
+  description.plain_corners = channel.plain_corners;
   description.has_force_control = channel.force_control;
   description.tool_word_changes_tool = channel.tool_change == "t_word";
   description.tool_word_has_edge = channel.t_format == "tool_edge";
   description.tool_word_has_offset = channel.t_format == "tool_offset";
   description.arc_radius_tolerance_mm = channel.arc_radius_tolerance_mm;
-  for (std::size_t index = 0; index < channel.axes.size(); ++index) {
   description.tool_measuring = channel.tool_measuring;
+  for (std::size_t index = 0; index < channel.axes.size(); ++index) {
     const AxisConfig& axis = machine.axes[channel.axes[index]];
     description.axes.push_back({.word = channel.words[index],
                                 .rotary = axis.rotary,

@@ -90,6 +90,7 @@ struct ChannelConfig {
   std::map<std::string, std::string> address_alias;  // "E" -> "dS"
   std::string tool_change = "m6";                    // "m6" | "t_word"
   std::string t_format = "plain";                    // "plain" | "tool_edge" | "tool_offset"
+  bool plain_corners = false;                        // A, C, R of G1 without a comma
   lang::TextRules rules;                             // of programs that do not say otherwise
 };
 

@@ -82,6 +82,9 @@ const Keys<ChannelFile>& channel_keys() {
       {"code_system", at<&ChannelFile::code_system>, optional, "",
        "G codes of a lathe in the dialects fanuc and haas, by Fanuc's name",
        one_of({"A", "B", "C"}), "B"},
+      {"plain_corners", at<&ChannelFile::channel, &ChannelConfig::plain_corners>, optional, "",
+       "on lathes in the dialects fanuc and haas: A, C and R of `G1` that are no axes say angle, "
+       "chamfer and rounding without a comma"},
       {"tool_change", at<&ChannelFile::channel, &ChannelConfig::tool_change>, optional, "",
        "which word changes the tool", one_of({"m6", "t_word"})},
       {"t_format", at<&ChannelFile::channel, &ChannelConfig::t_format>, optional, "",

@@ -7,6 +7,7 @@
 #include "lang/actions/actions.h"
 #include "lang/block/block_check.h"
 #include "lang/block/other_controls.h"
+#include "lang/block/plain_corners.h"
 #include "lang/corners/corner_words.h"
 #include "lang/corners/line_angle.h"
 #include "lang/orientation/tool_orientation.h"
@@ -151,6 +152,7 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
   LetterSet allowed = codes.words | allowed_everywhere(block.words.rules) |
                       block.channel_words.letters() | block.channel_words.incremental_letters();
   if (block.dwell_word != 0) allowed |= letter_bit(block.dwell_word);
+  allowed |= block.plain_corners;
   const LetterSet unused = block.words.letters & ~allowed;
   if (unused != 0) {
     const BlockFault fault = unused_word(unused, &block.channel);
@@ -202,9 +204,9 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
     if (&row != codes.resting_motion) function_of(row.action)(block, row.number);
     const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
     if (block.actions_done == i) return;
+    block.parts_done = 0;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
       block.set_modal(row.group, row.number);
-    block.parts_done = 0;
     }
     if (block.awaits_position && block.actions_done < codes.count) return;
   }
@@ -231,6 +233,7 @@ void execute_block(ActiveBlock& block) {
   collect_axis_words(block);
   collect_incremental_words(block, codes);
   collect_polar_words(block);
+  find_plain_corners(block, codes);
   collect_line_angle(block);
   refuse_axes_that_are_spindles(block);
   if (block.failed()) return;

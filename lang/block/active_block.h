@@ -101,6 +101,7 @@ struct ActiveBlock : BlockSurroundings {
   bool machine_coordinates = false;  // G53
   BlockEnd end;                      // of its motion
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
+  LetterSet plain_corners = 0;       // of A, C and R those that say `,A`, `,C` and `,R`
   double law_feed = 0.0;  // of its motion, from the feed law of the block; 0: it has none
 
   // An action after which the position is known only when the axes stand (TCP, M902, G12.1)
@@ -109,9 +110,9 @@ struct ActiveBlock : BlockSurroundings {
   // action that has more to do then counts itself out again.
   bool awaits_position = false;
   std::size_t actions_done = 0;
-
   // Of the current action, where it counts itself out: how often it has done so.
   std::size_t parts_done = 0;
+
   GroupSet kept_groups = 0;  // of which the block's code does not become the active one
 
   BlockFlow flow;

@@ -7,6 +7,7 @@
 #include "lang/block/feed_law_rules.h"
 #include "lang/block/macro_arguments.h"
 #include "lang/block/other_controls.h"
+#include "lang/block/plain_corners.h"
 #include "lang/words/corner_word.h"
 #include "lang/words/law_address.h"
 #include "lang/words/named_address.h"
@@ -117,6 +118,8 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
   }
   LetterSet allowed = codes.words | allowed_everywhere(words.rules) | dwell_set | axes;
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
+  if (channel != nullptr && may_have_plain_corners(words, codes, *channel))
+    allowed |= plain_corner_letters;
   const LetterSet unused = words.letters & ~allowed;
   if (unused != 0) return unused_word(unused, channel);
   const bool any_axis_word =

@@ -88,11 +88,12 @@ struct ChannelDescription {
   bool tool_word_has_offset = false;       // T0102: tool 1, lengths of row 2
   std::vector<int> channels;               // ids of all channels of the machine
   std::vector<std::pair<int, int>>
-      schemes;  // (channel, scheme id) of all channels, for constant checks
+      schemes;                 // (channel, scheme id) of all channels, for constant checks
+  bool plain_corners = false;  // A, C and R of G1 say `,A`, `,C` and `,R` in Fanuc texts
   bool has_force_control = false;
   double arc_radius_tolerance_mm = 0.01;
-  double finest_resolution_mm = 0.0;  // of its linear axes; 0: not known
   ToolMeasuring tool_measuring;
+  double finest_resolution_mm = 0.0;  // of its linear axes; 0: not known
   std::vector<UserCode> user_codes;
   std::vector<AddressAlias> address_alias;
   ProgramBounds bounds;
@@ -104,8 +105,8 @@ struct Tool {
   double radius_mm = 0.0;
   int orientation = 0;       // of a lathe tool's tip, 1 to 8; 0 and 9: the centre of its nose
   double overhang_mm = 0.0;  // along the radial axis
-};
   std::array<double, 3> wear_mm{};  // of the lengths; there is none along Y
+};
 
 inline constexpr int reference_point_count = 4;  // 1: G28, 2 to 4: G30 P
 

@@ -121,10 +121,7 @@ StageResult CornerStage::go_on(Command& command) {
   if (ends_at_next_line(held_->request)) {
     if (auto fault = meet(command)) return fault;
   } else if (ends_at_next_line(request_)) {
-    return corner_fault(
-        command, "E4153",
-        "behind a " + name_of(held_->request) + " the end of the line must be known",
-        "its end comes later");
+    return go_on_without_end(command);
   } else if (request_.line.end == LineByAngle::End::given) {
     return begin(command);
   }
@@ -138,6 +135,24 @@ StageResult CornerStage::go_on(Command& command) {
   }
   held_ = Held{command, element_of(move, from), std::exchange(request_, {})};
   start_ = held_->element.end;
+  return std::nullopt;
+}
+
+// A line whose end comes later, behind the corner of the held move: the corner needs its direction,
+// and where it meets the next line it must have a rest left.
+StageResult CornerStage::go_on_without_end(Command& command) {
+  constexpr double far_mm = 1e4;  // longer than the line will be
+  const PlanePoint along = request_.line.direction;
+  Move line = std::get<Move>(command.payload);
+  const PlanePoint far = start_ + far_mm / norm(along) * along;
+  line.end[first_] = far.first;
+  line.end[second_] = far.second;
+  PlanePoint from = start_;
+  if (auto fault = cut(line, from)) return fault;
+  held_.reset();
+  release();
+  held_ = Held{command, {from, from, false, {}, false, 0.0}, std::exchange(request_, {})};
+  start_ = from;
   return std::nullopt;
 }
 

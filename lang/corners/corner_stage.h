@@ -57,6 +57,7 @@ class CornerStage {
   [[nodiscard]] bool is_element(const Move& move) const;
   [[nodiscard]] StageResult begin(Command& command);
   [[nodiscard]] StageResult go_on(Command& command);
+  [[nodiscard]] StageResult go_on_without_end(Command& command);
   [[nodiscard]] StageResult meet(const Command& command);
   [[nodiscard]] StageResult cut(const Move& move, PlanePoint& from);
   void emit_cut(const CornerCut& cut);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "lang/corners/corner_value.h"
 #include "lang/words/corner_word.h"
 
 namespace stanok::lang {
@@ -24,29 +25,32 @@ bool has_plane(const ActiveBlock& block) {
          block.channel_words.geometry_axis(plane.second).exists();
 }
 
+std::string name_of(const WordName& word) {
+  return word.letter == 0 ? word.name : std::string(1, word.letter);
+}
+
 }  // namespace
 
 void read_corner(ActiveBlock& block) {
-  if (block.words.named.empty()) return;
-  const NamedWord* const chamfer = block.words.called(chamfer_word);
-  const NamedWord* const rounding = block.words.called(rounding_word);
-  const NamedWord* const word = chamfer != nullptr ? chamfer : rounding;
-  if (word == nullptr) return;
-  const WordName place{0, -1, word->name};
-  if (chamfer != nullptr && rounding != nullptr) {
+  if (!has_corner_words(block)) return;
+  const auto chamfer = corner_value(block, chamfer_word);
+  const auto rounding = corner_value(block, rounding_word);
+  const auto& word = chamfer ? chamfer : rounding;
+  if (!word) return;
+  const WordName& place = word->place;
+  if (chamfer && rounding) {
     block.fail("E4150", place, "a corner has a chamfer or a rounding", "both in one block");
   } else if (!block.flow.moves) {
-    block.fail("E4150", place, "`" + word->name + "` needs a motion in its block", "no motion");
+    block.fail("E4150", place, "`" + name_of(place) + "` needs a motion in its block", "no motion");
   } else if (word->value < 0.0) {
-    block.fail("E4008", place, "`" + word->name + "` must not be negative", "negative");
+    block.fail("E4008", place, "`" + name_of(place) + "` must not be negative", "negative");
   } else if (!has_plane(block) || block.modal.transformation.axis >= 0) {
     block.fail("E4150", place, "there is no corner in this plane", "needs a plane of two axes");
   } else if (block.modal.feed.law.kind != FeedLaw::Kind::off || block.law_feed != 0.0) {
     block.fail("E4150", place, "a feed law is not possible along a corner", "a law is active")
         .help.emplace_back("write the corner as G1, G2 or G3 of its own");
   } else if (const auto gain = gain_in_plane(block)) {
-    const auto kind =
-        chamfer != nullptr ? CornerRequest::Kind::chamfer : CornerRequest::Kind::rounding;
+    const auto kind = chamfer ? CornerRequest::Kind::chamfer : CornerRequest::Kind::rounding;
     block.end.corner.kind = kind;
     block.end.corner.size_mm = word->value * block.length_unit() * *gain;
   } else {

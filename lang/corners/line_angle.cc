@@ -4,6 +4,7 @@
 
 #include "base/angle.h"
 #include "lang/block/axis_words.h"
+#include "lang/corners/corner_value.h"
 #include "lang/words/corner_word.h"
 
 namespace stanok::lang {
@@ -12,8 +13,9 @@ namespace {
 // Below, a line is parallel to the axis whose coordinate the block gives: rounding of the angle.
 constexpr double parallel = 1e-9;
 
-WordName place_of_angle() {
-  return {0, -1, std::string(angle_word)};
+WordName place_of_angle(const ActiveBlock& block) {
+  const auto word = corner_value(block, angle_word);
+  return word ? word->place : WordName{};
 }
 
 struct LineAxes {
@@ -40,7 +42,8 @@ void put(ActiveBlock& block, AxisIndex axis, double programmed) {
 void complete(ActiveBlock& block, AxisIndex given, AxisIndex other, double along_given,
               double along_other) {
   if (std::abs(along_given) < parallel) {
-    block.fail("E4153", place_of_angle(), "a line of this angle has no point with this coordinate",
+    block.fail("E4153", place_of_angle(block),
+               "a line of this angle has no point with this coordinate",
                "parallel to the other axis");
     return;
   }
@@ -52,7 +55,7 @@ void complete(ActiveBlock& block, AxisIndex given, AxisIndex other, double along
 }  // namespace
 
 void collect_line_angle(ActiveBlock& block) {
-  if (block.words.named.empty() || block.words.called(angle_word) == nullptr) return;
+  if (!has_corner_words(block) || !corner_value(block, angle_word)) return;
   if (block.programmed != 0) return;
   const AxisIndex any = block.channel_words.geometry_axis(0);
   if (!any.exists()) return;
@@ -61,14 +64,14 @@ void collect_line_angle(ActiveBlock& block) {
 }
 
 void take_line_angle(ActiveBlock& block) {
-  if (block.words.named.empty()) return;
-  const NamedWord* const word = block.words.called(angle_word);
-  if (word == nullptr) return;
+  if (!has_corner_words(block)) return;
+  const auto word = corner_value(block, angle_word);
+  if (!word) return;
   const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
   const LineAxes axes{block.channel_words.geometry_axis(plane.first),
                       block.channel_words.geometry_axis(plane.second)};
   if (!axes.first.exists() || !axes.second.exists() || block.modal.transformation.axis >= 0) {
-    block.fail("E4153", place_of_angle(), "there is no line by its angle in this plane",
+    block.fail("E4153", place_of_angle(block), "there is no line by its angle in this plane",
                "needs a plane of two axes");
     return;
   }
@@ -90,14 +93,14 @@ void take_line_angle(ActiveBlock& block) {
 }
 
 void check_line_angle(ActiveBlock& block, const Code* axis_user) {
-  if (block.words.named.empty() || block.words.called(angle_word) == nullptr) return;
+  if (!has_corner_words(block) || !corner_value(block, angle_word)) return;
   const bool is_line = axis_user != nullptr && axis_user->number == g(1);
   if (!is_line) {
-    block.fail("E4153", place_of_angle(), "`,A` needs a line at feed, G1", "no such motion");
+    block.fail("E4153", place_of_angle(block), "`,A` needs a line at feed, G1", "no such motion");
   } else if (block.modal.feed.law.kind != FeedLaw::Kind::off || block.law_feed != 0.0) {
     block
-        .fail("E4153", place_of_angle(), "a feed law is not possible along a line by its angle",
-              "a law is active")
+        .fail("E4153", place_of_angle(block),
+              "a feed law is not possible along a line by its angle", "a law is active")
         .help.emplace_back("write the end of the line with both coordinates");
   }
 }

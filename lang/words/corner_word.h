@@ -4,12 +4,18 @@
 
 #include <string_view>
 
+#include "lang/words/block_words.h"
+
 namespace stanok::lang {
 
 inline constexpr std::string_view chamfer_word = ",C";
 inline constexpr std::string_view rounding_word = ",R";
 
 inline constexpr std::string_view angle_word = ",A";
+
+// The letters that say the same without a comma, where a lathe channel has them so.
+inline constexpr LetterSet plain_corner_letters =
+    letter_bit('A') | letter_bit('C') | letter_bit('R');
 
 [[nodiscard]] constexpr bool is_corner_word(std::string_view name) {
   return name == chamfer_word || name == rounding_word || name == angle_word;
