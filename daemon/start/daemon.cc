@@ -11,7 +11,7 @@
 #include "daemon/cycle/preparation_threads.h"
 #include "daemon/host/signals.h"
 #include "daemon/host/state_directory.h"
-#include "daemon/publish/measurement_listener.h"
+#include "daemon/publish/report_listener.h"
 #include "daemon/server/operator_server.h"
 #include "daemon/start/assembled_machine.h"
 #include "daemon/start/kept_state.h"
@@ -145,7 +145,7 @@ int run_daemon(const DaemonOptions& options) {
   fifo.reset();
   const RecorderOptions recording = recorder_options(options, file, state.path());
   Recorder recorder(file, build_description(), recording);
-  MeasurementListener measurements(recording.log_directory, file.machine.name);
+  ReportListener reports(recording.log_directory, file.machine.name);
   AssembledMachine machine(assembly, recorder, program_root, assembled.program_roots);
   MonotonicClock clock;
   RealTimeLoop loop(machine, clock, file.machine.cycle_us * ns_per_us);
@@ -163,7 +163,7 @@ int run_daemon(const DaemonOptions& options) {
   const RunningDrives drives(assembly);
   ScopeFeed scope_feed(machine.scope(), loop);
   const PublisherThread publisher(
-      rings_of(assembly), {&recorder, &machine, &server, &scope_feed, &measurements},
+      rings_of(assembly), {&recorder, &machine, &server, &scope_feed, &reports},
       [&](std::string_view reason) { fail("the publisher", "", reason); });
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),

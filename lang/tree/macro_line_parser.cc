@@ -244,7 +244,8 @@ MaybeStatement MacroLineParser::parse_goto() {
   return statement_of(JumpLine{std::move(*target)});
 }
 
-// POPEN and PCLOS: what DPRNT prints goes into the log, which is open always.
+// POPEN and PCLOS: what DPRNT prints goes into the log and the file of printed lines, which are
+// open always.
 MaybeStatement MacroLineParser::parse_printer_switch() {
   scanner_.advance(scanner_.name_ahead().size());
   if (!finish_macro_line()) return std::nullopt;
@@ -252,13 +253,13 @@ MaybeStatement MacroLineParser::parse_printer_switch() {
 }
 
 // DPRNT[X#100[53]*TEXT]: the text with the values of variables, [53] is 5 digits before and 3
-// behind the point; * is a blank.
+// behind the point; * is a blank. By "printed" in front of it the readers of the log know the line.
 MaybeStatement MacroLineParser::parse_print() {
   const Span span = scanner_.here(5);
   scanner_.advance(scanner_.name_ahead().size());
   scanner_.skip_blanks(LineEnds::significant);
   Expression line = string_expression({}, span);
-  std::string text;
+  std::string text = "printed ";
   for (scanner_.advance(1); scanner_.character() != ']';) {
     if (scanner_.at_line_end()) {
       reporter_.error("E2001", span, "`DPRNT[` is not closed", "`]` is missing on this line");

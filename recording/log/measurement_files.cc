@@ -4,8 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <system_error>
+
+#include "recording/log/bounded_text.h"
 
 namespace stanok::recording {
 namespace {
@@ -95,24 +95,9 @@ void MeasurementFiles::take(const channels::Event& event, std::int64_t utime) {
 }
 
 void MeasurementFiles::append(const char* ending, std::string_view head, const std::string& line) {
-  std::error_code fault;
-  fs::create_directories(directory_, fault);
-  const fs::path file = directory_ / (name_ + "." + ending);
-  std::error_code none;
-  auto size = static_cast<std::int64_t>(fs::file_size(file, none));
-  if (none) size = 0;
-  if (size > 0 && size + static_cast<std::int64_t>(line.size()) > size_max_bytes_) {
-    fs::rename(file, directory_ / (name_ + ".1." + ending), fault);
-    if (fault) {
-      error_ = file.string() + " cannot be put aside: " + fault.message();
-      return;
-    }
-    size = 0;
-  }
-  std::ofstream out(file, std::ios::app | std::ios::binary);
-  if (size == 0) out << head;
-  out << line << std::flush;
-  if (!out) error_ = file.string() + " cannot be written";
+  const std::string fault =
+      append_line({directory_ / (name_ + "." + ending), head, size_max_bytes_}, line);
+  if (!fault.empty()) error_ = fault;
 }
 
 }  // namespace stanok::recording

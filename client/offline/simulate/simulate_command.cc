@@ -406,7 +406,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command
       ->add_option("--measurements", options->measurements,
-                   "folder for what the programs measure: measurements.csv and measurements.jsonl")
+                   "folder for what the programs measure and print: measurements.csv, "
+                   "measurements.jsonl, printed.txt")
       ->type_name("FOLDER");
   command->add_option("--until", options->until_s, "stop after this machine time, s");
   command->add_flag("--drives", options->drives,

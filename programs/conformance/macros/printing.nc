@@ -4,9 +4,9 @@
 #5=7
 POPEN
 DPRNT[X#100[53]*T#5[20]]
-; expect: log X12.346 T7
+; expect: log printed X12.346 T7
 DPRNT[END]
-; expect: log END
+; expect: log printed END
 PCLOS
 M30
 ; expect: end and rewind

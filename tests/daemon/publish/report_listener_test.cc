@@ -1,9 +1,10 @@
-// The daemon adds what programs measure to the report in the folder of its logs.
-#include "daemon/publish/measurement_listener.h"
+// The daemon adds what programs measure and print to the reports in the folder of its logs.
+#include "daemon/publish/report_listener.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "tests/support/temporary_directory.h"
@@ -11,13 +12,13 @@
 namespace stanok::daemon {
 namespace {
 
-TEST(MeasurementListener, AddsMeasurementsToTheReportOfTheMachine) {
+TEST(ReportListener, AddsMeasurementsToTheReportOfTheMachine) {
   const testing::TemporaryDirectory folder;
   channels::Event event;
   event.cycle = 4711;
   event.channel = 1;
   for (int run = 0; run < 2; ++run) {
-    MeasurementListener listener(folder.path() / "log", "mill");
+    ReportListener listener(folder.path() / "log", "mill");
     event.text = FixedText<240>("program started");
     listener.on_event(event);
     event.text = FixedText<240>("measured bore size=12.5");
@@ -33,6 +34,19 @@ TEST(MeasurementListener, AddsMeasurementsToTheReportOfTheMachine) {
         << line;
   }
   EXPECT_EQ(lines, 2);
+}
+
+TEST(ReportListener, AddsWhatProgramsPrintToTheFileOfTheMachine) {
+  const testing::TemporaryDirectory folder;
+  channels::Event event;
+  for (int run = 0; run < 2; ++run) {
+    ReportListener listener(folder.path() / "log", "mill");
+    event.text = FixedText<240>("printed X12.346 T7");
+    listener.on_event(event);
+  }
+  std::ifstream file(folder.path() / "log" / "mill-printed.txt");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(text, "X12.346 T7\nX12.346 T7\n");
 }
 
 }  // namespace
