@@ -219,22 +219,22 @@ void position(ActiveBlock& block, HoleMoves& hole, CodeNumber kind) {
 // G88 has two parts for each hole: into it, and out of it when the operator has started again.
 // `false`: the rest comes then.
 bool bore_by_hand(ActiveBlock& block, HoleMoves& hole) {
-  const bool goes_out = block.parts_done % 2 == 1;
-  ++block.parts_done;
+  const bool goes_out = block.done.parts % 2 == 1;
+  ++block.done.parts;
   if (goes_out) {
     hole.go_on_behind_hand();
     return true;
   }
   hole.bore_up_to_hand();
   block.awaits_position = true;
-  --block.actions_done;
+  --block.done.actions;
   return false;
 }
 
 void make_holes(ActiveBlock& block, HoleMoves& hole, CodeNumber kind, int repeats) {
   const bool by_hand = kind == g(88);
-  for (int i = static_cast<int>(block.parts_done / 2); i < repeats && !block.failed();) {
-    const bool goes_out = by_hand && block.parts_done % 2 == 1;
+  for (int i = static_cast<int>(block.done.parts / 2); i < repeats && !block.failed();) {
+    const bool goes_out = by_hand && block.done.parts % 2 == 1;
     if (!goes_out) {
       if (i > 0) repeat_polar_words(block);
       position(block, hole, kind);
@@ -261,7 +261,7 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   if (!axis || !uses_its_words(block, code)) return;
   if (code == g(74) && refuses_words_of_lathes(block)) return;
   DrillingCycle& cycle = block.modal.cycles.drilling;
-  const bool is_begun = block.parts_done == 0;  // and not gone on with
+  const bool is_begun = block.done.parts == 0;  // and not gone on with
   if (is_begun && !is_cycle(block.modal.code(Group::motion))) {
     cycle = {};
     block.modal.cycles.motion_before = block.modal.code(Group::motion);

@@ -168,7 +168,7 @@ void align_tool(ActiveBlock& block, CodeNumber code) {
   if (keeps_tip != leads_tip) {
     plane.is_aligned = keeps_tip;
     follow_alignment(block);
-    --block.actions_done;  // the axes turn when the position is known
+    --block.done.actions;  // the axes turn when the position is known
     return;
   }
   advance_position(block, *move);

@@ -1,8 +1,23 @@
-// Action of probing, G38.2 to G38.5 and G31, which is G38.3 for one block: a line that ends where
-// the probe changes. The program waits for what was found, which BlockRunner keeps for $probe and
-// #5061.
+// Actions of probing.
+//
+// G38.2 to G38.5 and G31, which is G38.3 for one block: a line that ends where the probe changes.
+// The program waits for what was found, which BlockRunner keeps for $probe and #5061.
+//
+// G37, automatic measuring of a tool: it goes to a place where it should touch the tool setter, and
+// by what it misses that place the wear of the offset in force is corrected.
+//
+//   at rapid to `before` before the place, at the measuring feed to `within` behind it
+//
+//   new wear = wear + (where it touched - the place), X of a lathe as a radius
+//
+// Source: Fanuc operator's manuals B-64304EN-2, "Automatic tool length measurement (G37)", and
+// B-64304EN-1, "Automatic tool offset (G36, G37)": the offset that changes is that of the wear, and
+// a touch outside of the range is an alarm, by which nothing is written.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <string>
 
 #include "lang/actions/actions.h"
 
@@ -16,6 +31,99 @@ double longest_travel(const AxisValues& from, const AxisValues& to) {
   double way = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) way = std::max(way, std::abs(to[i] - from[i]));
   return way;
+}
+
+const WordName code_g37 = {'G', g(37), {}};
+
+// What the wear along X, Y and Z is called in the tool table.
+constexpr std::array<std::string_view, 3> wears{"wear_length_x", "", "wear_length"};
+
+// Mills measure along the tool, lathes along X or Z.
+AxisSet measured_axes(const ActiveBlock& block) {
+  const GeometryAxes& geometry = block.modal.geometry;
+  AxisSet axes = axis_bit(geometry[2]);
+  if (block.channel.kind == ChannelKind::lathe)
+    axes = static_cast<AxisSet>(axes | axis_bit(geometry[0]));
+  return axes;
+}
+
+// The geometry axis (0 X, 2 Z) along which the block measures.
+std::optional<std::size_t> measured_axis(ActiveBlock& block) {
+  if (!only_axes(block, g(37), measured_axes(block))) return std::nullopt;
+  if (std::popcount(block.programmed) != 1) {
+    block.fail("E4016", code_g37, "`G37` measures along one axis", "two axes")
+        .help.emplace_back("measure along the other one with a `G37` of its own");
+    return std::nullopt;
+  }
+  return is_programmed(block, block.modal.geometry[2]) ? 2U : 0U;
+}
+
+bool has_offset(ActiveBlock& block) {
+  const ToolLength& length = block.modal.tool.length;
+  const CodeNumber code = block.modal.code(Group::length);
+  const bool plain = code == g(43) && length.mode == LengthMode::length && length.tool != 0;
+  if (plain && block.tables.tool_edge(length.tool, block.modal.tool.length_edge)) return true;
+  BlockFault& fault =
+      block.fail("E4325", code_g37, "there is no tool offset for `G37` to correct", "no offset");
+  fault.notes.push_back(block.modal.origin_of(Group::length));
+  fault.help.emplace_back(block.channel.kind == ChannelKind::lathe
+                              ? "call the tool with its offset before, e.g. `T0101`"
+                              : "program `G43` with H before, e.g. `G43 H1`");
+  return false;
+}
+
+void go_and_touch(ActiveBlock& block, AxisIndex axis) {
+  const ToolMeasuring& measuring = block.channel.tool_measuring;
+  Move move;
+  resolve_ends(block, move);
+  const double place = move.end[axis];
+  const double way = place - block.modal.position_W[axis];
+  if (std::abs(way) < measuring.within_mm) {
+    block.fail("E4321", code_g37, "`G37` begins where the tool could touch already",
+               "begin farther away");
+    return;
+  }
+  const double direction = way > 0.0 ? 1.0 : -1.0;
+  move.path = block.modal.path;
+  move.stop_at_end = true;
+  if (std::abs(way) > measuring.before_mm) {
+    move.end[axis] = place - direction * measuring.before_mm;
+    advance_position(block, move);
+    block.queue.emit(move);
+  }
+  ProbeMove touch;
+  touch.line = move;
+  touch.line.kind = MoveKind::line;
+  touch.line.feed = measuring.feed_mm_per_min;
+  touch.line.end[axis] = place + direction * measuring.within_mm;
+  advance_position(block, touch.line);
+  block.queue.emit(touch);
+  Request result;
+  result.kind = RequestKind::probe_result;
+  result.statement = true;
+  block.queue.emit(result);
+}
+
+void correct_wear(ActiveBlock& block, std::size_t geometry) {
+  if (block.probe.rehearsed) return;
+  const AxisIndex axis = block.modal.geometry[geometry];
+  Move wanted;
+  resolve_ends(block, wanted);
+  const double touched = block.modal.map.to_work(axis, block.probe.position[axis]);
+  const double error = touched - wanted.end[axis];
+  const double within = block.channel.tool_measuring.within_mm;
+  if (std::abs(error) > within) {
+    block.fail("E4324", code_g37,
+               "the tool touched " + law_number_text(std::abs(error)) +
+                   " mm from the place of `G37`; the most is " + law_number_text(within) + " mm",
+               "nothing is written");
+    return;
+  }
+  const ModalTool& tool = block.modal.tool;
+  const auto edge = block.tables.tool_edge(tool.length.tool, tool.length_edge);
+  if (!edge) return;
+  write_tool(block, tool.length.tool, wears[geometry], edge->wear_mm[geometry] + error,
+             tool.length_edge);
 }
 
 }  // namespace
@@ -51,6 +159,29 @@ void probe(ActiveBlock& block, CodeNumber code) {
   result.kind = RequestKind::probe_result;
   result.statement = move.alarm_when_missed;
   block.queue.emit(result);
+}
+
+// In two parts: where the tool touched is known when the axes stand.
+void measure_tool_length(ActiveBlock& block, CodeNumber code) {
+  if (excluded_by_mode(block, code,
+                       {Exclusion::radius_compensation, Exclusion::tcp, Exclusion::transformation,
+                        Exclusion::drilling_cycle, Exclusion::rotation, Exclusion::scaling,
+                        Exclusion::mirror})) {
+    return;
+  }
+  const auto geometry = measured_axis(block);
+  if (!geometry || !has_offset(block)) return;
+  if (block.done.parts == 1) return correct_wear(block, *geometry);
+  if (block.modal.incremental()) {
+    block.fail("E4016", code_g37, "`G37` needs the place itself, no increment", "G91 is active")
+        .notes.push_back(block.modal.origin_of(Group::distance));
+    return;
+  }
+  go_and_touch(block, block.modal.geometry[*geometry]);
+  if (block.failed()) return;
+  block.done.parts = 1;
+  block.awaits_position = true;
+  --block.done.actions;
 }
 
 }  // namespace stanok::lang

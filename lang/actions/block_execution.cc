@@ -7,7 +7,7 @@
 #include "lang/actions/actions.h"
 #include "lang/block/block_check.h"
 #include "lang/block/other_controls.h"
-#include "lang/block/plain_corners.h"
+#include "lang/corners/corner_value.h"
 #include "lang/corners/corner_words.h"
 #include "lang/corners/line_angle.h"
 #include "lang/orientation/tool_orientation.h"
@@ -36,17 +36,10 @@ AxisWordCount axis_words_of(const ActiveBlock& block) {
   return block.programmed != 0 ? AxisWordCount::some : AxisWordCount::none;
 }
 
-// The motion code of a block that has one.
-const Code& motion_row(const BlockCodes& codes) {
-  std::size_t i = 0;
-  while (codes.rows[i]->group != Group::motion) ++i;
-  return *codes.rows[i];
-}
-
 // G80 with axis words in the Fanuc dialect: the motion from before the cycle takes them.
 bool is_end_of_cycle_with_motion(const ActiveBlock& block, const BlockCodes& codes) {
   return block.words.rules.is_fanuc() && block.words.g.has(g(80)) && codes.has(Group::motion) &&
-         motion_row(codes).action == CodeAction::end_cycle;
+         motion_of(codes)->action == CodeAction::end_cycle;
 }
 
 // The modally active motion takes the axis words that no code of the block claims.
@@ -54,7 +47,7 @@ void add_modal_motion(ActiveBlock& block, BlockCodes& codes, LetterSet free_word
   if (codes.axis_user != nullptr) return;
   const bool ends_cycle = is_end_of_cycle_with_motion(block, codes);
   if (codes.has(Group::motion) && block.programmed != 0 && !ends_cycle) {
-    const Code& row = motion_row(codes);
+    const Code& row = *motion_of(codes);
     block.fail("E4012", {row.letter, row.number, {}},
                "`" + code_text(row.letter, row.number) + "` takes no axis words", "");
     return;
@@ -152,7 +145,7 @@ void check_unused(ActiveBlock& block, const BlockCodes& codes) {
   LetterSet allowed = codes.words | allowed_everywhere(block.words.rules) |
                       block.channel_words.letters() | block.channel_words.incremental_letters();
   if (block.dwell_word != 0) allowed |= letter_bit(block.dwell_word);
-  allowed |= block.plain_corners;
+  allowed |= block.end.plain_corners;
   const LetterSet unused = block.words.letters & ~allowed;
   if (unused != 0) {
     const BlockFault fault = unused_word(unused, &block.channel);
@@ -193,22 +186,22 @@ void sort_by_phase(BlockCodes& codes) {
 
 void run_actions(ActiveBlock& block, BlockCodes& codes) {
   sort_by_phase(codes);
-  for (std::size_t i = block.actions_done; i < codes.count && !block.failed(); ++i) {
+  for (std::size_t i = block.done.actions; i < codes.count && !block.failed(); ++i) {
     const Code& row = *codes.rows[i];
     if (&row == codes.axis_user) {
       take_polar_words(block, row);
       take_line_angle(block);
     }
     if (block.failed()) return;
-    block.actions_done = i + 1;
+    block.done.actions = i + 1;
     if (&row != codes.resting_motion) function_of(row.action)(block, row.number);
     const bool kept = (group_bit(row.group) & block.kept_groups) != 0;
-    if (block.actions_done == i) return;
-    block.parts_done = 0;
+    if (block.done.actions == i) return;
+    block.done.parts = 0;
     if (row.group != Group::none && !kept && block.modal.code(row.group) != row.number) {
       block.set_modal(row.group, row.number);
     }
-    if (block.awaits_position && block.actions_done < codes.count) return;
+    if (block.awaits_position && block.done.actions < codes.count) return;
   }
   block.awaits_position = false;
 }

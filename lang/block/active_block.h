@@ -74,8 +74,15 @@ struct BlockSurroundings {
 
 // How the motion of a block ends.
 struct BlockEnd {
-  bool stops = false;    // G9
-  CornerRequest corner;  // ,C or ,R
+  bool stops = false;           // G9
+  LetterSet plain_corners = 0;  // of A, C and R those that say `,A`, `,C` and `,R`
+  CornerRequest corner;         // ,C or ,R
+};
+
+// How far the execution of a block has come, in the order of its actions.
+struct BlockProgress {
+  std::size_t actions = 0;
+  std::size_t parts = 0;  // of the next action, where it counts itself out: how often it has
 };
 
 // Why a block fails.
@@ -101,17 +108,14 @@ struct ActiveBlock : BlockSurroundings {
   bool machine_coordinates = false;  // G53
   BlockEnd end;                      // of its motion
   char dwell_word = 0;               // the word that holds G4's time; 0 without G4
-  LetterSet plain_corners = 0;       // of A, C and R those that say `,A`, `,C` and `,R`
   double law_feed = 0.0;  // of its motion, from the feed law of the block; 0: it has none
 
   // An action after which the position is known only when the axes stand (TCP, M902, G12.1)
-  // sets `awaits_position`. Is it still set after the execution, the first `actions_done` actions
-  // are done, and the block is to be executed again with this number when the position is known. An
-  // action that has more to do then counts itself out again.
+  // sets `awaits_position`. Is it still set after the execution, what `done` counts is done, and
+  // the block is to be executed again with it when the position is known. An action that has more
+  // to do then counts itself out again.
   bool awaits_position = false;
-  std::size_t actions_done = 0;
-  // Of the current action, where it counts itself out: how often it has done so.
-  std::size_t parts_done = 0;
+  BlockProgress done;
 
   GroupSet kept_groups = 0;  // of which the block's code does not become the active one
 

@@ -7,7 +7,6 @@
 #include "lang/block/feed_law_rules.h"
 #include "lang/block/macro_arguments.h"
 #include "lang/block/other_controls.h"
-#include "lang/block/plain_corners.h"
 #include "lang/words/corner_word.h"
 #include "lang/words/law_address.h"
 #include "lang/words/named_address.h"
@@ -94,6 +93,14 @@ std::optional<BlockFault> missing_axes(const BlockCodes& codes, AxisWordCount co
     return std::nullopt;
   return fault_at("E4007", {user->letter, user->number, {}},
                   "`" + code_text(user->letter, user->number) + "` needs an axis word", "");
+}
+
+bool may_have_plain_corners(const BlockWords& words, const BlockCodes& codes,
+                            const ChannelDescription& channel) {
+  if (!channel.plain_corners || !words.rules.is_fanuc() || channel.kind != ChannelKind::lathe)
+    return false;
+  const Code* const motion = motion_of(codes);
+  return motion == nullptr || motion->number == g(1);
 }
 
 std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWords* channel_words,

@@ -176,4 +176,10 @@ std::optional<BlockFault> resolve_codes(const BlockWords& words, const ChannelKi
   return find_axis_user(codes, words.rules);
 }
 
+const Code* motion_of(const BlockCodes& codes) {
+  const auto* const found = std::find_if(
+      codes.begin(), codes.end(), [](const Code* row) { return row->group == Group::motion; });
+  return found == codes.end() ? nullptr : *found;
+}
+
 }  // namespace stanok::lang

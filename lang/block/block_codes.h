@@ -48,6 +48,9 @@ struct BlockCodes {
                                                       const ChannelDialect& dialect,
                                                       BlockCodes& codes);
 
+// The motion code of the block; nullptr: it has none.
+[[nodiscard]] const Code* motion_of(const BlockCodes& codes);
+
 // The rows of F, S and T, as far as no code of the block has them as its own (feed_speed_tool.cc).
 void add_feed_speed_tool(const ActiveBlock& block, BlockCodes& codes);
 // Whether a code of the block can be meant for the spindle that `$` names.

@@ -99,8 +99,7 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
   }
   const Source& source = vm_.file().source;
   const std::size_t offset = source.offset_of(start);
-  place_ = {
-      {offset, static_cast<std::uint32_t>(source.line_at(offset).size()), line}, nullptr, 0, 0};
+  place_ = {{offset, static_cast<std::uint32_t>(source.line_at(offset).size()), line}, nullptr, {}};
   return LineResult::block;
 }
 
@@ -125,7 +124,7 @@ bool BlockRunner::take_block(const Instruction& instruction) {
     if (!take_computed_word(*word)) return false;
   }
   ++state_.blocks;
-  place_ = {block.span, &block.places, 0, 0};
+  place_ = {block.span, &block.places, {}};
   return true;
 }
 
@@ -201,8 +200,7 @@ void BlockRunner::begin_block() {
 
 BlockFlow BlockRunner::execute() {
   ActiveBlock block = state_.block_at(place_.span.line);
-  block.actions_done = place_.actions_done;
-  block.parts_done = place_.parts_done;
+  block.done = place_.done;
   const AxisValues start_W = state_.modal.position_W;
   execute_block(block);
   code_changes_.note(state_.blocks, state_.modal.codes);
@@ -211,8 +209,7 @@ BlockFlow BlockRunner::execute() {
     return {};
   }
   if (block.awaits_position) {
-    place_.actions_done = block.actions_done;
-    place_.parts_done = block.parts_done;
+    place_.done = block.done;
     has_rest_ = true;
     return {};
   }

@@ -81,8 +81,7 @@ class BlockRunner {
   struct BlockPlace {
     Span span;
     const std::vector<IsoWord>* words = nullptr;
-    std::size_t actions_done = 0;
-    std::size_t parts_done = 0;  // of the action behind them
+    BlockProgress done;
   };
   bool take_settings(const std::vector<TextSetting>& settings);
   bool take_computed_word(const ComputedWord& word);
