@@ -3,11 +3,19 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <bit>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <random>
 
+#include "config/files/tables_file.h"
+#include "daemon/host/durable_file.h"
 #include "daemon/host/state_directory.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/support/temporary_directory.h"
@@ -124,6 +132,71 @@ TEST_F(KeptStateTest, DamagedPositionsAreRefusedWithARemedy) {
 }
 
 // Written ten times a second they would wear the disk out.
+constexpr DurableKind tables_kind{.name = "tables", .version = 1};
+
+// #500 to #999 of one pass of a program: all have its number.
+channels::TablesConfig tables_with_variables(double pass) {
+  channels::TablesConfig tables;
+  for (int number = lang::kept_variable_first; number <= lang::kept_variable_last; ++number)
+    tables.variables[1][number] = pass;
+  return tables;
+}
+
+// What a killed process leaves to its parent: the pass that was on disk for certain.
+class SharedCount {
+ public:
+  SharedCount()
+      : value_(static_cast<std::atomic<int>*>(::mmap(nullptr, sizeof(std::atomic<int>),
+                                                     PROT_READ | PROT_WRITE,
+                                                     MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {}
+  ~SharedCount() { ::munmap(value_, sizeof(std::atomic<int>)); }
+  SharedCount(const SharedCount&) = delete;
+  SharedCount& operator=(const SharedCount&) = delete;
+  std::atomic<int>& operator*() { return *value_; }
+
+ private:
+  std::atomic<int>* value_;
+};
+
+int kills_wanted() {
+  const char* const text = std::getenv("STANOK_KILLS");
+  return text == nullptr ? 50 : std::atoi(text);
+}
+
+// The writer is killed at random: all variables are those of one pass, and none is older than what
+// was written when it was killed.
+TEST_F(KeptStateTest, CommonVariablesSurviveAKillAtAnyWrite) {
+  std::mt19937 random(17);
+  SharedCount written;
+  for (int trial = 0, trials = kills_wanted(); trial < trials; ++trial) {
+    SCOPED_TRACE(trial);
+    const int before = *written;
+    const ::pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      for (int pass = before + 1;; ++pass) {
+        const std::string text = config::to_toml(tables_with_variables(pass));
+        if (write_durably(folder.path() / "tables.toml", tables_kind, text)) ::_exit(1);
+        *written = pass;
+      }
+    }
+    ::usleep(static_cast<::useconds_t>(random() % 8000));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    if (*written == 0) continue;
+    const auto tables = found().tables;
+    const auto variables = tables.variables.find(1);
+    ASSERT_NE(variables, tables.variables.end());
+    const double pass = variables->second.at(lang::kept_variable_first);
+    EXPECT_GE(pass, *written);
+    EXPECT_LE(pass, *written + 1);
+    EXPECT_EQ(tables.variables, tables_with_variables(pass).variables);
+  }
+  EXPECT_GT(*written, kills_wanted() / 5);
+}
+
 TEST_F(KeptStateTest, MovingAxesAreWrittenEveryTenSeconds) {
   channels::MachineConfig config = two_channel_machine().machine;
   config.cycle_us = 1000;
