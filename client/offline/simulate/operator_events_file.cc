@@ -30,6 +30,16 @@ runtime::TimedEvent timed_event(const json& line) {
 
 }  // namespace
 
+runtime::TimedEvent operator_event(std::string_view text) {
+  const json event = protocol::json_from_text(text);
+  if (event.is_discarded()) throw std::invalid_argument("the line is not a JSON text");
+  return timed_event(event);
+}
+
+void sort_events(std::vector<runtime::TimedEvent>& events) {
+  std::ranges::stable_sort(events, {}, &runtime::TimedEvent::cycle);
+}
+
 std::vector<runtime::TimedEvent> read_operator_events(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
@@ -38,15 +48,12 @@ std::vector<runtime::TimedEvent> read_operator_events(const std::string& path) {
   for (int line = 1; std::getline(file, text); ++line) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
-      const json event = protocol::json_from_text(text);
-      if (event.is_discarded()) throw std::invalid_argument("the line is not a JSON text");
-      events.push_back(timed_event(event));
+      events.push_back(operator_event(text));
     } catch (const std::exception& reason) {
       throw std::runtime_error(path + ":" + std::to_string(line) + ": " + reason.what());
     }
   }
-  std::stable_sort(events.begin(), events.end(),
-                   [](const auto& a, const auto& b) { return a.cycle < b.cycle; });
+  sort_events(events);
   return events;
 }
 

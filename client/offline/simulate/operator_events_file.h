@@ -2,11 +2,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/simulation.h"
 
 namespace stanok::client {
+
+// One event. Throws std::exception with the reason where it is none.
+[[nodiscard]] runtime::TimedEvent operator_event(std::string_view text);
+// In ascending cycles; those of one cycle stay in their order.
+void sort_events(std::vector<runtime::TimedEvent>& events);
 
 // Events in ascending cycles. Throws std::runtime_error "file:line: reason" on anything that is not
 // such an event.

@@ -1,0 +1,15 @@
+// What the module stanok._native is put together from; each file tells the interpreter its
+// functions.
+//
+// The module is the narrow side of the package: it gives numbers as arrays and all else as texts of
+// JSON; names, types and documentation are in python/stanok, whose functions are what people call.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace stanok::python {
+
+void bind_machine(pybind11::module_& module);
+void bind_simulation(pybind11::module_& module);
+
+}  // namespace stanok::python

@@ -1,0 +1,10 @@
+// The module stanok._native.
+#include "python/native/bindings.h"
+#include "python/native/faults.h"
+
+PYBIND11_MODULE(_native, module) {
+  module.doc() = "The libraries of stanok; use the package stanok instead";
+  stanok::python::register_faults(module);
+  stanok::python::bind_machine(module);
+  stanok::python::bind_simulation(module);
+}

@@ -1,0 +1,47 @@
+"""Where part programs are found: what the other modules have in common."""
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Union
+
+PathLike = Union[str, "os.PathLike[str]"]
+Programs = Union[PathLike, Mapping[int, Union[PathLike, Sequence[PathLike]]]]
+
+
+def located(program: PathLike) -> tuple[str, str]:
+    """Name and folder of a program: its folder is the first in which other texts are looked for."""
+    path = Path(program)
+    if not path.name:
+        raise ValueError(f"{str(program)!r} names no program")
+    return path.name, str(path.parent)
+
+
+def by_channel(programs: Programs, channel: int) -> list[tuple[int, PathLike]]:
+    """Programs with their channels, in the order in which they are started."""
+    if isinstance(programs, (str, os.PathLike)):
+        return [(channel, programs)]
+    pairs: list[tuple[int, PathLike]] = []
+    for number, given in programs.items():
+        several = [given] if isinstance(given, (str, os.PathLike)) else list(given)
+        pairs.extend((number, one) for one in several)
+    if not pairs:
+        raise ValueError("no program is named")
+    return pairs
+
+
+def search_roots(folders: Sequence[str], program_root: PathLike | None) -> list[str]:
+    """Folders of the programs, then ``program_root``, then the cycles that come with stanok."""
+    roots = list(dict.fromkeys(folders))
+    if program_root is not None:
+        roots.append(os.fspath(program_root))
+    return roots + standard_cycles()
+
+
+def standard_cycles() -> list[str]:
+    """Folders of the standard cycles: beside a build, or installed."""
+    package = Path(__file__).resolve().parent
+    candidates = [package.parents[3] / "programs" / "cycles"] if len(package.parents) > 3 else []
+    candidates += [parent / "share" / "stanok" / "cycles" for parent in package.parents[2:4]]
+    return [str(folder) for folder in candidates if folder.is_dir()]
