@@ -11,5 +11,10 @@ namespace stanok::python {
 
 void bind_machine(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
+void bind_programs(pybind11::module_& module);
+void bind_logs(pybind11::module_& module);
+void bind_kinematics(pybind11::module_& module);
+void bind_grinding(pybind11::module_& module);
+void bind_protocol(pybind11::module_& module);
 
 }  // namespace stanok::python

@@ -7,4 +7,9 @@ PYBIND11_MODULE(_native, module) {
   stanok::python::register_faults(module);
   stanok::python::bind_machine(module);
   stanok::python::bind_simulation(module);
+  stanok::python::bind_programs(module);
+  stanok::python::bind_logs(module);
+  stanok::python::bind_kinematics(module);
+  stanok::python::bind_grinding(module);
+  stanok::python::bind_protocol(module);
 }

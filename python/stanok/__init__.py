@@ -11,7 +11,7 @@ libraries. Lengths are mm, angles deg, times s.
 """
 from __future__ import annotations
 
-from . import _native
+from . import _native, grinding
 from .errors import (
     ConnectionLost,
     Fault,
@@ -23,7 +23,11 @@ from .errors import (
     RunError,
     StanokError,
 )
+from .interpreter import Check, FeedLawBlock, Interpretation, check, interpret
+from .kinematics import Jets, Kinematics
+from .logs import Log, open_log, read_log
 from .machine import Axis, Channel, Machine, Scheme, load_machine
+from .rpc import Client, Notification, connect
 from .setpoints import ALL_COLUMNS, USUAL_COLUMNS, Setpoints
 from .simulation import Event, OperatorEvent, Run, Simulation, simulate
 
@@ -34,13 +38,21 @@ __all__ = [
     "USUAL_COLUMNS",
     "Axis",
     "Channel",
+    "Check",
+    "Client",
     "ConnectionLost",
     "Event",
     "Fault",
+    "FeedLawBlock",
     "GrindingError",
+    "Interpretation",
+    "Jets",
+    "Kinematics",
+    "Log",
     "LogError",
     "Machine",
     "MachineFileError",
+    "Notification",
     "OperatorEvent",
     "ProgramError",
     "RequestError",
@@ -50,6 +62,12 @@ __all__ = [
     "Setpoints",
     "Simulation",
     "StanokError",
+    "check",
+    "connect",
+    "grinding",
+    "interpret",
     "load_machine",
+    "open_log",
+    "read_log",
     "simulate",
 ]

@@ -5,12 +5,9 @@ import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any, Union
 
 from . import _native
-
-if TYPE_CHECKING:
-    from .kinematics import Kinematics
 
 __all__ = ["Axis", "Channel", "Machine", "MachineLike", "Scheme", "load_machine"]
 

@@ -33,11 +33,11 @@ void print_refusal(const nlohmann::ordered_json& diagnostics) {
 }
 
 // What was found wrong is printed; nothing then.
-std::optional<ControlFile> read_control_file(const GrindOptions& options) {
-  auto file = process::read_control_text(read_text(options.input), options.input);
-  if (file) return std::move(*file);
+std::optional<GrindInput> printed_or(const GrindOptions& options,
+                                     Expected<GrindInput, Diagnostics> input) {
+  if (input) return std::move(*input);
   auto list = nlohmann::ordered_json::array();
-  for (const Diagnostic& diagnostic : file.error()) {
+  for (const Diagnostic& diagnostic : input.error()) {
     list.push_back(to_json(diagnostic));
     if (!options.json) print(diagnostic);
   }
@@ -65,46 +65,52 @@ bool is_process_file(const std::string& path) {
   return fs::path(path).extension() == ".toml";
 }
 
-// With --json the faults of the file are printed as JSON too; nothing then.
-std::optional<DesignRequest> read_process_file(const GrindOptions& options) {
-  try {
-    return config::read_grinding_file(options.input);
-  } catch (const config::ConfigError& error) {
-    if (!options.json) throw;
-    auto list = nlohmann::ordered_json::array();
-    for (const config::ConfigFault& fault : error.faults()) {
-      Diagnostic diagnostic;
-      diagnostic.code = "E9102";
-      diagnostic.place.file = fault.file;
-      diagnostic.place.line = diagnostic.place.end_line = static_cast<int>(fault.line);
-      diagnostic.place.column = diagnostic.place.end_column = static_cast<int>(fault.column);
-      diagnostic.message = fault.text;
-      list.push_back(to_json(diagnostic));
-    }
-    print_refusal(list);
-    return std::nullopt;
+// The faults of the file as `--json` has them.
+nlohmann::ordered_json faults_json(const config::ConfigError& error) {
+  auto list = nlohmann::ordered_json::array();
+  for (const config::ConfigFault& fault : error.faults()) {
+    Diagnostic diagnostic;
+    diagnostic.code = "E9102";
+    diagnostic.place.file = fault.file;
+    diagnostic.place.line = diagnostic.place.end_line = static_cast<int>(fault.line);
+    diagnostic.place.column = diagnostic.place.end_column = static_cast<int>(fault.column);
+    diagnostic.message = fault.text;
+    list.push_back(to_json(diagnostic));
   }
+  return list;
 }
 
 }  // namespace
 
-std::optional<GrindInput> read_control_input(const GrindOptions& options) {
-  GrindInput input;
-  input.control = read_control_file(options);
-  if (!input.control) return std::nullopt;
+Expected<GrindInput, Diagnostics> control_input(const GrindOptions& options) {
+  auto file = process::read_control_text(read_text(options.input), options.input);
+  if (!file) return Unexpected<Diagnostics>(file.error());
+  GrindInput input{.request = {}, .control = std::move(*file)};
   input.request.process = input.control->process;
   input.request.allowance_mm = input.control->allowance_mm();
   apply(options, input.request);
   return input;
 }
 
-std::optional<GrindInput> read_input(const GrindOptions& options) {
-  if (!is_process_file(options.input)) return read_control_input(options);
-  auto request = read_process_file(options);
-  if (!request) return std::nullopt;
-  GrindInput input{.request = std::move(*request), .control = std::nullopt};
+Expected<GrindInput, Diagnostics> grind_input(const GrindOptions& options) {
+  if (!is_process_file(options.input)) return control_input(options);
+  GrindInput input{.request = config::read_grinding_file(options.input), .control = std::nullopt};
   apply(options, input.request);
   return input;
+}
+
+std::optional<GrindInput> read_control_input(const GrindOptions& options) {
+  return printed_or(options, control_input(options));
+}
+
+std::optional<GrindInput> read_input(const GrindOptions& options) {
+  try {
+    return printed_or(options, grind_input(options));
+  } catch (const config::ConfigError& error) {
+    if (!options.json) throw;
+    print_refusal(faults_json(error));
+    return std::nullopt;
+  }
 }
 
 }  // namespace stanok::client

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostic.h"
+#include "base/expected.h"
 #include "client/offline/grind/grind_program.h"
 #include "process/grinding/control_file.h"
 #include "process/grinding/cycle_design.h"
@@ -44,9 +46,16 @@ struct GrindInput {
   std::optional<process::ControlFile> control;
 };
 
-// A control file (`read_control_input`), or by its name a process file or a control file. What is
-// wrong with it is printed, as text or JSON; nothing then. A process file that is wrong, where JSON
-// is not asked for, is a ConfigError; a file that cannot be read a std::runtime_error.
+// A control file (`control_input`), or by its name a process file or a control file
+// (`grind_input`), or what is wrong with the control file. A process file that is wrong is a
+// ConfigError; a file that cannot be read a std::runtime_error.
+[[nodiscard]] Expected<GrindInput, Diagnostics> control_input(const GrindOptions& options);
+[[nodiscard]] Expected<GrindInput, Diagnostics> grind_input(const GrindOptions& options);
+
+// The same for the command line: a control file (`read_control_input`), or by its name a process
+// file or a control file. What is wrong with it is printed, as text or JSON; nothing then. A
+// process file that is wrong, where JSON is not asked for, is a ConfigError; a file that cannot be
+// read a std::runtime_error.
 [[nodiscard]] std::optional<GrindInput> read_control_input(const GrindOptions& options);
 [[nodiscard]] std::optional<GrindInput> read_input(const GrindOptions& options);
 

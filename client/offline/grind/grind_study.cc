@@ -144,9 +144,14 @@ std::vector<StudyPoint> run_study(const DesignRequest& request,
       threads.emplace_back(work);
     }
     constexpr std::chrono::milliseconds between_shows(100);
-    while (done < points.size()) {
-      show(done);
-      std::this_thread::sleep_for(between_shows);
+    try {
+      while (done < points.size()) {
+        show(done);
+        std::this_thread::sleep_for(between_shows);
+      }
+    } catch (...) {
+      next = points.size();  // the threads end with the design that each is at
+      throw;
     }
   }
   if (fault) std::rethrow_exception(fault);

@@ -36,7 +36,8 @@ constexpr int study_points_max = 1'000'000;
 [[nodiscard]] double study_size(const std::vector<Variation>& variations);
 
 // All combinations, the last variation fastest, in this order whatever the number of threads.
-// `show` is called now and then with the number of those that are done.
+// `show` is called now and then with the number of those that are done; what it throws ends the
+// study.
 [[nodiscard]] std::vector<StudyPoint> run_study(const process::DesignRequest& request,
                                                 const std::vector<Variation>& variations,
                                                 const std::function<void(std::size_t)>& show);

@@ -1,0 +1,244 @@
+// Plunge grinding for Python: the commands of `stanok grind` with their results, and the model.
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "client/offline/grind/grind_input.h"
+#include "client/offline/grind/grind_report.h"
+#include "client/offline/grind/grind_study.h"
+#include "process/grinding/boundary.h"
+#include "process/grinding/part_program.h"
+#include "process/grinding/plunge.h"
+#include "process/grinding/robust_design.h"
+#include "protocol/json_text.h"
+#include "python/native/array_rows.h"
+#include "python/native/bindings.h"
+#include "python/native/faults.h"
+#include "python/native/interruption.h"
+
+namespace stanok::python {
+namespace {
+
+namespace py = pybind11;
+using client::GrindInput;
+using client::GrindOptions;
+using nlohmann::ordered_json;
+using process::CycleDesign;
+using process::InfeedLaw;
+using process::PlungeSample;
+
+// Thrown through what computes, when the interpreter was interrupted.
+struct Interrupted {};
+
+GrindInput value_or_raise(Expected<GrindInput, Diagnostics> input) {
+  if (input) return std::move(*input);
+  raise("GrindingError", faults_json(input.error()));
+}
+
+[[noreturn]] void raise_findings(const process::Findings& findings) {
+  ordered_json faults = ordered_json::array();
+  for (const process::Finding& finding : findings)
+    faults.push_back(fault_json(finding.code, finding.text));
+  raise("GrindingError", faults);
+}
+
+py::array_t<double> column(const std::vector<PlungeSample>& samples, double PlungeSample::* field) {
+  py::array_t<double> array(static_cast<py::ssize_t>(samples.size()));
+  double* next = array.mutable_data();
+  for (const PlungeSample& sample : samples) *next++ = sample.*field;
+  return array;
+}
+
+py::dict samples_of(const std::vector<PlungeSample>& samples) {
+  py::dict arrays;
+  arrays["time_s"] = column(samples, &PlungeSample::time_s);
+  arrays["x_mm"] = column(samples, &PlungeSample::x_mm);
+  arrays["allowance_mm"] = column(samples, &PlungeSample::allowance_mm);
+  arrays["feed_mm_per_s"] = column(samples, &PlungeSample::feed_mm_per_s);
+  arrays["removal_mm2_per_rad"] = column(samples, &PlungeSample::removal_mm2_per_rad);
+  arrays["deflection_mm"] = column(samples, &PlungeSample::deflection_mm);
+  return arrays;
+}
+
+// Runs `job` while other threads of Python go on; Ctrl-C ends it where it can be ended.
+template <class Job>
+auto without_lock(Interruption& interruption, const Job& job) {
+  try {
+    const py::gil_scoped_release others_run;
+    return job();
+  } catch (const Interrupted&) {
+    interruption.rethrow();
+    throw;
+  }
+}
+
+void let_interrupt(process::DesignRequest& request, Interruption& interruption) {
+  request.optimiser.on_iteration = [asked = interruption.asked()](const process::Iteration&) {
+    if (asked()) throw Interrupted();
+  };
+}
+
+// Report as JSON, samples, and the control file as a text.
+py::tuple report_of(const GrindInput& input, const process::RobustDesign& robust) {
+  const client::GrindReport report{input.request, robust.design, robust.corners};
+  process::ControlFile file =
+      input.control.value_or(process::ControlFile{input.request.process, {}, {}});
+  file.law = robust.design.law;
+  ordered_json json = client::to_json(report);
+  return py::make_tuple(py::str(protocol::json_text(json)),
+                        samples_of(robust.design.verification.run.samples),
+                        py::str(process::control_text(file)));
+}
+
+py::tuple design(const GrindOptions& options, const process::Spread& spread) {
+  GrindInput input = value_or_raise(client::grind_input(options));
+  Interruption interruption;
+  let_interrupt(input.request, interruption);
+  auto robust = without_lock(interruption, [&] {
+    if (!spread.is_none()) return process::design_robust(input.request, spread);
+    return process::design_cycle(input.request).map([](CycleDesign one) {
+      return process::RobustDesign{.design = std::move(one), .corners = {}};
+    });
+  });
+  interruption.rethrow();
+  if (!robust) raise_findings(robust.error());
+  return report_of(input, *robust);
+}
+
+py::tuple verify(const GrindOptions& options) {
+  constexpr double time_max_s = 3600.0;
+  GrindInput input = value_or_raise(client::control_input(options));
+  input.request.simulation.time_max_s = time_max_s;
+  Interruption interruption;
+  let_interrupt(input.request, interruption);
+  CycleDesign assessed = without_lock(
+      interruption, [&] { return process::assessed_cycle(input.request, input.control->law); });
+  interruption.rethrow();
+  return report_of(input, {.design = std::move(assessed), .corners = {}});
+}
+
+std::string study(const GrindOptions& options) {
+  std::vector<client::Variation> variations;
+  for (const std::string& text : options.variations) {
+    const auto variation = client::read_variation(text);
+    if (!variation)
+      throw std::invalid_argument("'" + text +
+                                  "' is not KEY=FROM:TO:COUNT with a key of the process file");
+    variations.push_back(*variation);
+  }
+  if (client::study_size(variations) > client::study_points_max)
+    throw std::invalid_argument("more than a million designs");
+  const GrindInput input = value_or_raise(client::grind_input(options));
+  Interruption interruption;
+  const auto points = without_lock(interruption, [&] {
+    return client::run_study(input.request, variations,
+                             [asked = interruption.asked()](std::size_t) {
+                               if (asked()) throw Interrupted();
+                             });
+  });
+  return client::study_csv(variations, points);
+}
+
+std::string program(const GrindOptions& options, const std::string& title) {
+  const GrindInput input = value_or_raise(client::control_input(options));
+  const InfeedLaw& law = input.control->law;
+  process::ProgramOptions chosen =
+      client::program_options(input.request.process, law, options.machine);
+  chosen.title = title;
+  chosen.spark_out_s =
+      input.request.simulation.spark_out_revolutions * process::revolution_s(input.request.process);
+  chosen.gauge_margin_mm = options.gauge_margin_mm;
+  return process::part_program(input.request.process, law, chosen);
+}
+
+InfeedLaw law_of(const Matrix& rows) {
+  expect_columns(rows, 2, "law");
+  InfeedLaw law;
+  for (py::ssize_t k = 0; k < rows.shape(0); ++k)
+    law.push_back({.x_mm = row_of(rows, k)[0], .feed_mm_per_s = row_of(rows, k)[1]});
+  bool is_law = law.size() >= 2;
+  for (std::size_t k = 0; k < law.size(); ++k) {
+    const bool falls = k == 0 || law[k].x_mm <= law[k - 1].x_mm;
+    is_law = is_law && falls && std::isfinite(law[k].x_mm) && law[k].feed_mm_per_s > 0.0 &&
+             law[k].feed_mm_per_s <= process::feed_max_mm_per_s;
+  }
+  if (!is_law)
+    throw std::invalid_argument(
+        "law must have two rows (X mm, feed mm/s) at least; X never rises, feeds are above 0 and "
+        "at most 1 mm/s");
+  return law;
+}
+
+py::tuple plunge(const GrindOptions& options, const Matrix& rows, bool goes_on) {
+  GrindInput input = value_or_raise(client::grind_input(options));
+  const InfeedLaw law = law_of(rows);
+  if (goes_on) input.request.simulation.at_end = process::InfeedTravel::AtEnd::goes_on;
+  Interruption interruption;
+  const process::PlungeRun run = without_lock(interruption, [&] {
+    return process::simulate_plunge(input.request.process, law, input.request.simulation);
+  });
+  ordered_json json = {{"time_s", run.time_s},
+                       {"size_reached_s", nullptr},
+                       {"residual_mm", run.residual_mm},
+                       {"residual_min_mm", run.residual_min_mm},
+                       {"residual_mean_mm", run.residual_mean_mm},
+                       {"wear_mm", run.wear_mm},
+                       {"volume_mm2", run.volume_mm2},
+                       {"contact_losses", run.contact_losses},
+                       {"force_max_n", run.force_max_n}};
+  if (run.size_reached_s) json["size_reached_s"] = *run.size_reached_s;
+  return py::make_tuple(py::str(protocol::json_text(json)), samples_of(run.samples));
+}
+
+// D(H), mm2/rad.
+py::array_t<double> boundary(const GrindOptions& options, const py::array_t<double>& allowance_mm) {
+  const GrindInput input = value_or_raise(client::grind_input(options));
+  const process::Boundary line(input.request.process);
+  return py::vectorize([&line](double allowance) { return line.at(allowance); })(allowance_mm);
+}
+
+void bind_options(py::module_& module) {
+  py::class_<GrindOptions>(module, "GrindOptions")
+      .def(py::init<>())
+      .def_readwrite("input", &GrindOptions::input)
+      .def_readwrite("exact", &GrindOptions::exact)
+      .def_readwrite("burn_margin", &GrindOptions::burn_margin)
+      .def_readwrite("spark_out_revolutions", &GrindOptions::spark_out_revolutions)
+      .def_readwrite("time_step_s", &GrindOptions::time_step_s)
+      .def_readwrite("points", &GrindOptions::points)
+      .def_readwrite("at_mm", &GrindOptions::at_mm)
+      .def_readwrite("decimals", &GrindOptions::decimals)
+      .def_readwrite("feedback", &GrindOptions::feedback)
+      .def_readwrite("iterations", &GrindOptions::iterations)
+      .def_readwrite("force", &GrindOptions::force)
+      .def_readwrite("variations", &GrindOptions::variations)
+      .def_readwrite("gauge_margin_mm", &GrindOptions::gauge_margin_mm)
+      .def("set_machine", [](GrindOptions& options, const std::string& file, int channel,
+                             double wheel_speed_m_per_s) {
+        options.machine = {
+            .machine_file = file, .channel = channel, .wheel_speed_m_per_s = wheel_speed_m_per_s};
+      });
+}
+
+}  // namespace
+
+void bind_grinding(py::module_& module) {
+  bind_options(module);
+  module.def(
+      "grind_design",
+      [](const GrindOptions& options, double stiffness, double force_factor, double allowance_mm) {
+        return design(
+            options,
+            {.stiffness = stiffness, .force_factor = force_factor, .allowance_mm = allowance_mm});
+      },
+      py::arg("options"), py::arg("stiffness"), py::arg("force_factor"), py::arg("allowance_mm"));
+  module.def("grind_verify", &verify, py::arg("options"));
+  module.def("grind_study", &study, py::arg("options"));
+  module.def("grind_program", &program, py::arg("options"), py::arg("title"));
+  module.def("grind_plunge", &plunge, py::arg("options"), py::arg("law"), py::arg("goes_on"));
+  module.def("grind_boundary", &boundary, py::arg("options"), py::arg("allowance_mm"));
+}
+
+}  // namespace stanok::python

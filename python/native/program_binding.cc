@@ -1,0 +1,97 @@
+// Programs without a machine that moves: records after block preparation, and what is wrong.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <nlohmann/json.hpp>
+
+#include "client/offline/check/law_report.h"
+#include "client/offline/interpret/record_text.h"
+#include "protocol/json_text.h"
+#include "python/native/bindings.h"
+#include "python/native/faults.h"
+#include "python/native/interruption.h"
+#include "python/native/machine_handle.h"
+#include "runtime/dry_run.h"
+#include "runtime/program_files.h"
+
+namespace stanok::python {
+namespace {
+
+namespace py = pybind11;
+
+// A program and where it would run.
+struct Program {
+  std::string name;
+  Roots roots;
+  int channel = 1;
+  int scheme = -1;              // < 0: the one of the machine file
+  std::uint64_t steps_max = 0;  // 0: as the machine file says
+};
+
+channels::MachineConfig machine_of(const config::MachineFile& file, const Program& program) {
+  channels::MachineConfig machine = file.machine;
+  if (program.steps_max > 0) machine.program_bounds.steps = program.steps_max;
+  return machine;
+}
+
+// Lines of JSON as `stanok interpret` prints them, faults, and blocks.
+py::tuple interpret(const config::MachineFile& file, const Program& program) {
+  static_cast<void>(channel_of(file, program.channel));
+  Interruption interruption;
+  std::string records;
+  runtime::DryRunResult result;
+  {
+    const py::gil_scoped_release others_run;
+    const channels::MachineConfig machine = machine_of(file, program);
+    const runtime::ProgramFiles files(program.roots, runtime::program_format(machine));
+    runtime::DryRun run(machine, program.channel, program.scheme, files);
+    result = run.run(
+        program.name, runtime::Reachability::unchecked,
+        [&](const lang::Command& command, const motion::PathBlock* block) {
+          client::append_record(records, command, block, run.channel().words);
+        },
+        [](const lang::Request&, const lang::Command&) {}, {.gives_up = interruption.asked()});
+  }
+  interruption.rethrow();
+  return py::make_tuple(py::str(records),
+                        py::str(protocol::json_text(faults_json(result.diagnostics))),
+                        result.blocks);
+}
+
+// Faults, and the blocks under a feed law as `stanok check --estimate --json` has them.
+py::tuple check(const config::MachineFile& file, const Program& program) {
+  static_cast<void>(channel_of(file, program.channel));
+  Interruption interruption;
+  runtime::DryRunResult result;
+  {
+    const py::gil_scoped_release others_run;
+    const channels::MachineConfig machine = machine_of(file, program);
+    const runtime::ProgramFiles files(program.roots, runtime::program_format(machine));
+    result = runtime::check_program(machine, program.channel, program.scheme, program.name, files,
+                                    interruption.asked());
+  }
+  interruption.rethrow();
+  const auto faults = faults_json(result.diagnostics);
+  const auto estimate = client::estimate_json({{.file = program.name,
+                                                .diagnostics = {},
+                                                .blocks = result.blocks,
+                                                .laws = std::move(result.laws)}});
+  return py::make_tuple(py::str(protocol::json_text(faults)),
+                        py::str(protocol::json_text(estimate.at("feed_laws"))), result.blocks);
+}
+
+}  // namespace
+
+void bind_programs(py::module_& module) {
+  py::class_<Program>(module, "Program")
+      .def(py::init<>())
+      .def_readwrite("name", &Program::name)
+      .def_readwrite("roots", &Program::roots)
+      .def_readwrite("channel", &Program::channel)
+      .def_readwrite("scheme", &Program::scheme)
+      .def_readwrite("steps_max", &Program::steps_max);
+  module.def("interpret", &interpret, py::arg("machine"), py::arg("program"));
+  module.def("check", &check, py::arg("machine"), py::arg("program"));
+}
+
+}  // namespace stanok::python

@@ -1,0 +1,325 @@
+"""Plunge grinding cycles that do not burn: design, verification, studies and the model itself.
+
+The functions of ``stanok grind``, with their numbers. A *process file* (``.toml``) has the sheet of the
+technologist, a *control file* a table of feeds besides; docs/programmer/grinding.md has the model and its
+sources. X is the allowance that a rigid machine would have left, mm per side; Q the removal, mm² per rad.
+"""
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _native
+from .programs import PathLike
+
+__all__ = ["Cycle", "Plunge", "Samples", "Study", "boundary", "design", "plunge", "program", "study", "verify"]
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Samples:
+    """A cycle in time, a row for each step of the simulation; every array is ``(n,)``."""
+
+    time_s: Floats
+    """s, from the touch on."""
+    x_mm: Floats
+    """mm, commanded."""
+    allowance_mm: Floats
+    """mm, left under the wheel."""
+    feed_mm_per_s: Floats
+    """mm/s, commanded."""
+    removal_mm2_per_rad: Floats
+    """mm²/rad, Q."""
+    deflection_mm: Floats
+    """mm, by which the wheel gives way."""
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """A cycle and what it is worth.
+
+    ``report`` is what ``stanok grind --json`` prints; the properties are its most used members.
+    ``control_text`` is the control file.
+    """
+
+    report: dict[str, Any]
+    samples: Samples
+    control_text: str
+
+    @property
+    def ok(self) -> bool:
+        """Whether nothing burns, is bent too far or misses its size."""
+        return bool(self.report["ok"])
+
+    @property
+    def law(self) -> Floats:
+        """``(m, 2)``: X mm and feed mm/s; straight between rows, two rows of one X are a jump."""
+        return np.array(self.report["law"], dtype=np.float64).reshape(-1, 2)
+
+    @property
+    def boundary(self) -> Floats:
+        """``(m, 2)``: corners of the permitted removal: allowance mm and Q mm²/rad."""
+        return np.array(self.report["boundary"], dtype=np.float64).reshape(-1, 2)
+
+    @property
+    def time_s(self) -> float:
+        """Time of the cycle with its spark-out, s."""
+        return float(self.report["cycle_time_s"])
+
+    @property
+    def findings(self) -> tuple[dict[str, str], ...]:
+        """What verification says, each with ``code`` and ``text``."""
+        return tuple(self.report.get("findings", ()))
+
+    def save(self, path: PathLike) -> None:
+        """Writes the control file."""
+        Path(path).write_bytes(self.control_text.encode())
+
+
+@dataclass(frozen=True)
+class Plunge:
+    """A law on the elastic system: what is left of the part, and the samples."""
+
+    time_s: float
+    size_reached_s: float | None
+    residual_mm: float
+    residual_min_mm: float
+    residual_mean_mm: float
+    wear_mm: float
+    volume_mm2: float
+    contact_losses: int
+    force_max_n: float
+    samples: Samples
+
+
+class Study(Mapping[str, "npt.NDArray[Any]"]):
+    """Designs over varied numbers: a mapping of the columns of ``stanok grind study`` to arrays ``(n,)``.
+
+    The columns of the variations come first; the last variation runs fastest. ``finding`` says why there is
+    no design; its numbers are ``nan`` then. ``text`` is the CSV.
+    """
+
+    def __init__(self, text: str, shape: tuple[int, ...]) -> None:
+        self.text = text
+        self.shape = shape
+        heading, *rows = list(csv.reader(io.StringIO(text)))
+        self._columns: dict[str, npt.NDArray[Any]] = {}
+        for k, name in enumerate(heading):
+            texts = [row[k] for row in rows]
+            if name == "finding":
+                self._columns[name] = np.array(texts, dtype=object)
+            else:
+                self._columns[name] = np.array([float(one) if one else np.nan for one in texts])
+
+    def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        return self._columns[name]
+
+    def __iter__(self) -> Any:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def grid(self, name: str) -> npt.NDArray[Any]:
+        """A column in the shape of the variations: one dimension for each."""
+        return self._columns[name].reshape(self.shape)
+
+    def __repr__(self) -> str:
+        return f"<Study of {int(np.prod(self.shape))} designs: {', '.join(self._columns)}>"
+
+
+def design(
+    process: PathLike,
+    *,
+    points: int | None = None,
+    at_mm: Sequence[float] = (),
+    decimals: int | None = None,
+    spread: Mapping[str, float] | None = None,
+    feedback: float = 0.5,
+    iterations: int = 40,
+    force: bool = False,
+    exact: bool = False,
+    burn_margin: float | None = None,
+    spark_out_revolutions: float | None = None,
+    time_step_s: float | None = None,
+) -> Cycle:
+    """Designs a cycle: ``stanok grind design``.
+
+    Args:
+        process: process file, or a control file whose law is designed anew.
+        points: number of switch points, 0 to 40; ``None``: as many as pay.
+        at_mm: their X in mm, falling, instead.
+        decimals: of X and feeds in the table, 3 to 7.
+        spread: how far ``stiffness`` and ``force_factor`` (parts, up to 0.9) and ``allowance`` (mm) may lie
+            to either side: one table for all of it.
+        feedback: gain of the iteration, below 1.
+        iterations: most iterations, 0 to 1000.
+        force: iterate on, even at a gain that is not stable.
+        exact: removal Q = a R instead of the paper's triangle.
+        burn_margin: part by which the removal may exceed the burn line, 0 to 1.
+        spark_out_revolutions: revolutions of the part behind the last X, 0 to 1000.
+        time_step_s: step of the simulation, 1e-6 to 0.0005 s.
+
+    Raises:
+        GrindingError: what is refused, with its code. MachineFileError: faults of the process file.
+    """
+    options = _options(process, exact, burn_margin, spark_out_revolutions, time_step_s)
+    _iteration(options, feedback, iterations, force)
+    if points is not None:
+        if at_mm:
+            raise ValueError("give points or at_mm")
+        options.points = int(_within(points, "points", 0, 40))
+    options.at_mm = [float(value) for value in at_mm]
+    if decimals is not None:
+        options.decimals = int(_within(decimals, "decimals", 3, 7))
+    given = dict(spread or {})
+    parts = {key: _within(given.pop(key, 0.0), f"spread {key}", 0.0, 0.9)
+             for key in ("stiffness", "force_factor", "allowance")}
+    if given:
+        raise ValueError(f"spread knows stiffness, force_factor and allowance, not {', '.join(given)}")
+    return _cycle(_native.grind_design(options, parts["stiffness"], parts["force_factor"], parts["allowance"]))
+
+
+def verify(
+    control: PathLike,
+    *,
+    feedback: float = 0.5,
+    iterations: int = 40,
+    force: bool = False,
+    exact: bool = False,
+    burn_margin: float | None = None,
+    spark_out_revolutions: float | None = None,
+    time_step_s: float | None = None,
+) -> Cycle:
+    """Holds the table of a control file against the boundary: ``stanok grind verify``. See :func:`design`."""
+    options = _options(control, exact, burn_margin, spark_out_revolutions, time_step_s)
+    _iteration(options, feedback, iterations, force)
+    return _cycle(_native.grind_verify(options))
+
+
+def study(
+    process: PathLike,
+    vary: Mapping[str, tuple[float, float, int]],
+    *,
+    exact: bool = False,
+    burn_margin: float | None = None,
+    spark_out_revolutions: float | None = None,
+    time_step_s: float | None = None,
+) -> Study:
+    """Designs for all combinations of varied numbers, on all processors: ``stanok grind study``.
+
+    Args:
+        process: process file, or control file.
+        vary: ``{key: (from, to, count)}``, keys of the process file; at most a million designs.
+
+    >>> study = grinding.study("process.toml", {"stiffness": (2e7, 4e7, 21)})
+    >>> study["stiffness"], study["cycle_time_s"]
+    """
+    options = _options(process, exact, burn_margin, spark_out_revolutions, time_step_s)
+    if not vary:
+        raise ValueError("vary names no number")
+    counts = []
+    texts = []
+    for key, (begin, end, count) in vary.items():
+        texts.append(f"{key}={float(begin)!r}:{float(end)!r}:{int(count)}")
+        counts.append(int(count))
+    options.variations = texts
+    return Study(_native.grind_study(options), tuple(counts))
+
+
+def program(
+    control: PathLike,
+    *,
+    machine: PathLike | None = None,
+    channel: int | None = None,
+    wheel_speed_m_per_s: float = 35.0,
+    spark_out_revolutions: float | None = None,
+    gauge_margin_mm: float = 0.0,
+) -> str:
+    """The part program of a control file: ``stanok grind program``.
+
+    Args:
+        control: the control file.
+        machine: machine file whose grind channel runs it; ``None``: part spindle 1 and no wheel.
+        channel: of the machine; ``None``: the first grind channel.
+        wheel_speed_m_per_s: surface speed of the wheel, 1 to 200 m/s.
+        spark_out_revolutions: revolutions behind the last X.
+        gauge_margin_mm: the gauge ends the last feed, at most this far below the last X, 0.001 to 1 mm; 0: none.
+    """
+    options = _options(control, False, None, spark_out_revolutions, None)
+    if gauge_margin_mm != 0.0:
+        options.gauge_margin_mm = _within(gauge_margin_mm, "gauge_margin_mm", 0.001, 1.0)
+    speed = _within(wheel_speed_m_per_s, "wheel_speed_m_per_s", 1.0, 200.0)
+    options.set_machine("" if machine is None else os.fspath(machine), channel or 0, speed)
+    return _native.grind_program(options, Path(control).name)
+
+
+def plunge(
+    process: PathLike,
+    law: npt.ArrayLike,
+    *,
+    goes_on: bool = False,
+    exact: bool = False,
+    spark_out_revolutions: float | None = None,
+    time_step_s: float | None = None,
+) -> Plunge:
+    """Runs an infeed law on the model of elastic machine and cut.
+
+    Args:
+        process: process file, or control file, for the process alone.
+        law: ``(m, 2)``, X mm and feed mm/s; X never rises, feeds are above 0.
+        goes_on: the last feed goes on until the size is reached; else the wheel stands at the last X.
+        exact: removal Q = a R instead of the paper's triangle.
+        spark_out_revolutions: revolutions behind the last X.
+        time_step_s: step of the simulation, 1e-6 to 0.0005 s.
+    """
+    options = _options(process, exact, None, spark_out_revolutions, time_step_s)
+    text, arrays = _native.grind_plunge(options, np.asarray(law, dtype=np.float64), goes_on)
+    return Plunge(**json.loads(text), samples=Samples(**arrays))
+
+
+def boundary(process: PathLike, allowance_mm: npt.ArrayLike, *, exact: bool = False) -> Floats:
+    """The permitted removal D(H), mm²/rad, of the allowance left in mm; any shape."""
+    options = _options(process, exact, None, None, None)
+    return np.asarray(_native.grind_boundary(options, np.asarray(allowance_mm, dtype=np.float64)))
+
+
+def _within(value: float, name: str, low: float, high: float) -> float:
+    if not low <= value <= high:
+        raise ValueError(f"{name} is {value}; give {low:g} to {high:g}")
+    return value
+
+
+def _options(path: PathLike, exact: bool, burn_margin: float | None, spark_out_revolutions: float | None,
+             time_step_s: float | None) -> _native.GrindOptions:
+    options = _native.GrindOptions()
+    options.input = os.fspath(path)
+    options.exact = exact
+    if burn_margin is not None:
+        options.burn_margin = _within(burn_margin, "burn_margin", 0.0, 1.0)
+    if spark_out_revolutions is not None:
+        options.spark_out_revolutions = _within(spark_out_revolutions, "spark_out_revolutions", 0.0, 1000.0)
+    if time_step_s is not None:
+        options.time_step_s = _within(time_step_s, "time_step_s", 1e-6, 0.0005)
+    return options
+
+
+def _iteration(options: _native.GrindOptions, feedback: float, iterations: int, force: bool) -> None:
+    options.feedback = _within(feedback, "feedback", 1e-9, 1e9)
+    options.iterations = int(_within(iterations, "iterations", 0, 1000))
+    options.force = force
+
+
+def _cycle(told: tuple[str, dict[str, Floats], str]) -> Cycle:
+    text, arrays, control_text = told
+    return Cycle(report=json.loads(text), samples=Samples(**arrays), control_text=control_text)

@@ -1,0 +1,136 @@
+"""Programs without a machine that moves: records after block preparation, errors, feed laws."""
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any
+
+from . import _native
+from .errors import Fault, ProgramError
+from .machine import MachineLike, as_machine
+from .programs import PathLike, located, search_roots
+
+__all__ = ["Check", "FeedLawBlock", "Interpretation", "check", "interpret"]
+
+
+@dataclass(frozen=True)
+class Interpretation:
+    """What a program becomes: ``records`` as ``stanok interpret`` prints them, one a command."""
+
+    records: list[dict[str, Any]]
+    blocks: int
+    faults: tuple[Fault, ...]
+
+
+@dataclass(frozen=True)
+class FeedLawBlock:
+    """A block under a feed law, as ``stanok check --estimate`` tells of it; ``None``: the law has none of it.
+
+    ``feed_first`` and ``feed_last`` are in ``feed_unit``, ``"mm/min"`` or ``"mm/rev"``. ``k_a`` and ``k_b``
+    are duration and spacing of interruptions in revolutions, ``k_m`` is S_0min/S_0max.
+    """
+
+    file: str
+    line: int
+    law: str
+    path_mm: float
+    increments: int
+    feed_first: float
+    feed_last: float
+    feed_unit: str
+    time_s: float
+    time_is_least: bool
+    closed_form_s: float | None = None
+    cycle_s: float | None = None
+    cycle_closed_form_s: float | None = None
+    k_a: float | None = None
+    k_b: float | None = None
+    k_m: float | None = None
+
+
+@dataclass(frozen=True)
+class Check:
+    """What is known of a program before a run. ``ok``: no fault is an error."""
+
+    faults: tuple[Fault, ...]
+    feed_laws: tuple[FeedLawBlock, ...]
+    blocks: int
+
+    @property
+    def ok(self) -> bool:
+        """Whether no fault is an error."""
+        return all(fault.severity != "error" for fault in self.faults)
+
+
+def interpret(
+    machine: MachineLike,
+    program: PathLike,
+    *,
+    channel: int = 1,
+    scheme: int | None = None,
+    program_root: PathLike | None = None,
+    million_steps: int | None = None,
+    check: bool = True,
+) -> Interpretation:
+    """The records of a program after block preparation: moves with their ends, spindles, offsets, laws.
+
+    Args:
+        machine: a machine file, or one that was read.
+        program: the program; its folder is the first in which others are looked for.
+        channel: whose axes and words it uses.
+        scheme: kinematic scheme at the start; ``None``: the one of the machine file.
+        program_root: another folder in which programs are looked for.
+        million_steps: ends a program without an end after so many million steps.
+        check: raise at an error; else look at ``faults``.
+
+    Returns:
+        An :class:`Interpretation`. A record is what ``stanok interpret`` prints: ``{"line": 3, "kind":
+        "feed", "end": {"X": 10.0, ...}, "feed": 600.0, "feed_mode": "per_minute"}``; ends in mm and deg in
+        the workpiece system, feeds in mm/min or mm/rev.
+    """
+    native, job = _job(machine, program, channel, scheme, program_root, million_steps)
+    lines, faults_text, blocks = _native.interpret(native, job)
+    faults = tuple(Fault.from_json(value) for value in json.loads(faults_text))
+    records = [json.loads(line) for line in lines.splitlines()]
+    if check and any(fault.severity == "error" for fault in faults):
+        raise ProgramError(faults)
+    return Interpretation(records, blocks, faults)
+
+
+def check(
+    machine: MachineLike,
+    program: PathLike,
+    *,
+    channel: int = 1,
+    scheme: int | None = None,
+    program_root: PathLike | None = None,
+    million_steps: int | None = None,
+) -> Check:
+    """All that can be known of a program before a run, as ``stanok check --estimate``; nothing is raised.
+
+    The arguments are those of :func:`interpret`. Every pose is held against the limits of the axes; programs
+    that it runs on other channels are followed.
+    """
+    native, job = _job(machine, program, channel, scheme, program_root, million_steps)
+    faults_text, laws_text, blocks = _native.check(native, job)
+    return Check(
+        faults=tuple(Fault.from_json(value) for value in json.loads(faults_text)),
+        feed_laws=tuple(FeedLawBlock(**value) for value in json.loads(laws_text)),
+        blocks=blocks,
+    )
+
+
+def _job(machine: MachineLike, program: PathLike, channel: int, scheme: int | None,
+         program_root: PathLike | None, million_steps: int | None) -> tuple[_native.Machine, _native.Program]:
+    if million_steps is not None and not 1 <= million_steps <= 1_000_000:
+        raise ValueError(f"million_steps is {million_steps}; give 1 to 1000000")
+    if scheme is not None and scheme < 0:
+        raise ValueError(f"scheme is {scheme}; give the number of one")
+    name, folder = located(program)
+    job = _native.Program()
+    job.name = name
+    job.roots = search_roots([folder], program_root)
+    job.channel = channel
+    job.scheme = -1 if scheme is None else scheme
+    job.steps_max = 0 if million_steps is None else million_steps * 1_000_000
+    return as_machine(machine)._native, job

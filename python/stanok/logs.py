@@ -1,0 +1,145 @@
+"""Logs: setpoints and events of a run as arrays, whole or some rows at a time."""
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from typing import Any, overload
+
+from . import _native
+from .programs import PathLike
+from .setpoints import Columns, Setpoints, column_names
+from .simulation import Event
+
+__all__ = ["Log", "open_log", "read_log"]
+
+_events_at_a_time = 1000
+
+
+class Log:
+    """A log file. It is read once to know what is in it; setpoints and events are read again when asked for.
+
+    Nothing of it is kept in memory but its description, however long it is.
+    """
+
+    def __init__(self, path: PathLike) -> None:
+        self._path = os.fspath(path)
+        self._native = _native.Log(self._path)
+        told: dict[str, Any] = json.loads(self._native.contents())
+        self._info: dict[str, Any] = told["info"]
+        self._axes: dict[int, list[list[str]]] = {int(number): axes for number, axes in told["axes"].items()}
+        self._is_sound: bool = told["sound"]
+        self._is_cut: bool = told["cut"]
+
+    @property
+    def path(self) -> str:
+        """The file."""
+        return self._path
+
+    @property
+    def info(self) -> dict[str, Any]:
+        """What ``stanok log info --json`` prints: machine, version, messages, what is missing or damaged."""
+        return dict(self._info)
+
+    @property
+    def channels(self) -> tuple[int, ...]:
+        """Channels of the machine that have setpoints."""
+        return tuple(self._axes)
+
+    @property
+    def is_sound(self) -> bool:
+        """Nothing is damaged or cut; what can be read of another one is read."""
+        return self._is_sound
+
+    @property
+    def is_cut(self) -> bool:
+        """The recording was cut: the log ends within an event, or without its trailer."""
+        return self._is_cut
+
+    def chunks(self, rows: int, *, channel: int | None = None, columns: Columns = "all") -> Iterator[Setpoints]:
+        """The setpoints of a channel, ``rows`` at a time (the last ones fewer), in the order of the file.
+
+        Memory is needed for one chunk only: about 430 bytes a row of five axes with all columns.
+        """
+        if rows < 1:
+            raise ValueError(f"rows is {rows}; give 1 or more")
+        number = self._chosen(channel)
+        names = column_names(columns)
+        if not names:
+            raise ValueError("columns names none")
+        cursor = _native.SetpointCursor(self._native, number, names)
+        return self._read(cursor, number, rows)
+
+    def setpoints(self, *, channel: int | None = None, columns: Columns = "all") -> Setpoints:
+        """All setpoints of a channel at once; the first one where the log has one channel only."""
+        number = self._chosen(channel)
+        cursor = _native.SetpointCursor(self._native, number, column_names(columns))
+        return self._setpoints(cursor.next(2**62), number)
+
+    def events(self) -> Iterator[Event]:
+        """What happened, in the order of the file: alarms, warnings, messages of programs. ``file`` is empty."""
+        cursor = _native.EventCursor(self._native)
+        while True:
+            told = json.loads(cursor.next(_events_at_a_time))
+            if not told:
+                return
+            for event in told:
+                yield Event(**event)
+
+    def __repr__(self) -> str:
+        return f"<Log {self._path}: channels {', '.join(map(str, self._axes)) or 'none'}>"
+
+    def _chosen(self, channel: int | None) -> int:
+        if channel is not None:
+            return channel
+        if len(self._axes) != 1:
+            raise ValueError(f"{self._path} has setpoints of channels {', '.join(map(str, self._axes)) or 'none'}; "
+                             "choose one by channel=")
+        return next(iter(self._axes))
+
+    def _read(self, cursor: _native.SetpointCursor, channel: int, rows: int) -> Iterator[Setpoints]:
+        while arrays := cursor.next(rows):
+            yield self._setpoints(arrays, channel)
+
+    def _setpoints(self, arrays: dict[str, Any], channel: int) -> Setpoints:
+        axes = self._axes[channel]
+        for array in arrays.values():
+            if array.ndim == 2 and len(axes) != array.shape[1]:  # as `log export` names those not described
+                axes = [[f"A{k + 1}", f"A{k + 1}", "mm"] for k in range(array.shape[1])]
+        return Setpoints(arrays, channel, *([axis[k] for axis in axes] for k in range(3)))
+
+
+def open_log(path: PathLike) -> Log:
+    """Opens a log; :class:`~stanok.errors.LogError` when it cannot be read."""
+    return Log(path)
+
+
+@overload
+def read_log(path: PathLike, *, channel: int | None = ..., columns: Columns = ...,
+             chunk: None = ...) -> Setpoints: ...
+@overload
+def read_log(path: PathLike, *, channel: int | None = ..., columns: Columns = ...,
+             chunk: int) -> Iterator[Setpoints]: ...
+
+
+def read_log(path: PathLike, *, channel: int | None = None, columns: Columns = "all",
+             chunk: int | None = None) -> Setpoints | Iterator[Setpoints]:
+    """The setpoints of one channel of a log, with the bits of ``stanok log export``.
+
+    Args:
+        path: the log (``.lcm``).
+        channel: of the machine; needed where the log has several.
+        columns: names of :data:`~stanok.ALL_COLUMNS`, or ``"all"``; ``None``: the usual ones.
+        chunk: rows at a time. Then an iterator of :class:`~stanok.Setpoints` is returned, and a log of any
+            length needs the memory of one chunk.
+
+    Returns:
+        :class:`~stanok.Setpoints`: ``(n,)`` and ``(n, k)`` arrays, mm, deg and s.
+
+    >>> for part in stanok.read_log("run.lcm", channel=1, chunk=100_000):
+    ...     fastest = max(fastest, part.path_speed.max())
+    """
+    log = Log(path)
+    if chunk is None:
+        return log.setpoints(channel=channel, columns=columns)
+    return log.chunks(chunk, channel=channel, columns=columns)

@@ -1,0 +1,1047 @@
+"""The methods of the operator protocol, a class for each noun.
+
+Written by tools/generate_python_methods.py from the table of methods (protocol/method_table.h); see
+docs/reference/protocol.md for the members of the results.
+"""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Literal
+
+Call = Callable[[str, dict[str, Any]], dict[str, Any]]
+
+
+def _given(**params: Any) -> dict[str, Any]:
+    """Parameters without those that are left out; a name that Python has taken ends in _ here."""
+    return {name.removesuffix("_"): value for name, value in params.items() if value is not None}
+
+
+class MachineMethods:
+    """Methods ``machine.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def on(self) -> dict[str, Any]:
+        """Switch on the drives of the axes that take part.
+
+        ``machine.on``, for the role operator.
+        """
+        return self._call("machine.on", _given())
+
+    def off(self) -> dict[str, Any]:
+        """Stop all channels and switch the drives off.
+
+        ``machine.off``, for the role operator.
+        """
+        return self._call("machine.off", _given())
+
+    def estop(self) -> dict[str, Any]:
+        """Emergency stop: stop along the path at once, then drives off; always accepted.
+
+        ``machine.estop``, for the role operator.
+        """
+        return self._call("machine.estop", _given())
+
+    def status(self) -> dict[str, Any]:
+        """Cycle, drives, real-time figures, state of every channel.
+
+        ``machine.status``, for the role observer.
+        """
+        return self._call("machine.status", _given())
+
+
+class ChannelMethods:
+    """Methods ``channel.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def list(self) -> dict[str, Any]:
+        """Channels with kind, axes, scheme and state.
+
+        ``channel.list``, for the role observer.
+        """
+        return self._call("channel.list", _given())
+
+    def status(self, *, channel: int | None = None) -> dict[str, Any]:
+        """State, program, block, position, feed and overrides of a channel.
+
+        ``channel.status``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("channel.status", _given(channel=channel))
+
+    def control(self, *, on: int | None = None, channel: int | None = None) -> dict[str, Any]:
+        """Control a channel alone until the connection ends; others can still stop it.
+
+        ``channel.control``, for the role operator.
+
+        Args:
+            on: 1 (default): take control; 0: give it back; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("channel.control", _given(on=on, channel=channel))
+
+    def watch(self, *, channel: int | None = None, rate_hz: float | None = None) -> dict[str, Any]:
+        """Status of a channel as it changes.
+
+        ``channel.watch``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+            rate_hz: most status messages per second; default 10; 0.1 to 50 Hz.
+        """
+        return self._call("channel.watch", _given(channel=channel, rate_hz=rate_hz))
+
+
+class ProgramMethods:
+    """Methods ``program.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def read(self, program: str, *, offset: int | None = None) -> dict[str, Any]:
+        """Text of a program and its version, at most 512 KiB at a time.
+
+        ``program.read``, for the role observer.
+
+        Args:
+            program: program file beneath the program root.
+            offset: byte where the answer begins; default 0; 0 to 1000000000.
+        """
+        return self._call("program.read", _given(program=program, offset=offset))
+
+    def write(
+        self,
+        program: str,
+        text: str,
+        *,
+        version: str | None = None,
+        more: int | None = None,
+        file: str | None = None,
+    ) -> dict[str, Any]:
+        """Write a program, whole or not at all, if nobody has changed it meanwhile.
+
+        ``program.write``, for the role programmer.
+
+        Args:
+            program: program file beneath the program root.
+            text: text of the program; of a longer one a part, with `more`.
+            version: of the text that is to be replaced, as program.read gave it; default: there is none
+                yet; any: whatever there is.
+            more: 1: the text goes on in the next request; default 0; 0 to 1.
+            file: where the text came from; for people only.
+        """
+        return self._call("program.write", _given(program=program, text=text, version=version, more=more, file=file))
+
+    def remove(self, program: str, *, version: str | None = None) -> dict[str, Any]:
+        """Remove a program, if nobody has changed it meanwhile.
+
+        ``program.remove``, for the role programmer.
+
+        Args:
+            program: program file beneath the program root.
+            version: of the text that is to be replaced, as program.read gave it; default: there is none
+                yet; any: whatever there is.
+        """
+        return self._call("program.remove", _given(program=program, version=version))
+
+    def check(
+        self,
+        program: str,
+        *,
+        text: str | None = None,
+        channel: int | None = None,
+        file: str | None = None,
+    ) -> dict[str, Any]:
+        """Errors and warnings of a program, without running it; another check of this connection ends this one.
+
+        ``program.check``, for the role observer.
+
+        Args:
+            program: program file beneath the program root.
+            text: text to check in the place of the file's.
+            channel: channel; default: the first one; 1 to 999.
+            file: where the text came from; for people only.
+        """
+        return self._call("program.check", _given(program=program, text=text, channel=channel, file=file))
+
+    def estimate(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
+        """Time and way of a program, from running it on a virtual clock with the tables, schemes and places of
+        now, overrides at 100 %; a check of this connection ends it.
+
+        ``program.estimate``, for the role observer.
+
+        Args:
+            program: program file beneath the program root.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.estimate", _given(program=program, channel=channel))
+
+    def check_cancel(self) -> dict[str, Any]:
+        """End the check or estimate of this connection, which answers E9017.
+
+        ``program.check_cancel``, for the role observer.
+        """
+        return self._call("program.check_cancel", _given())
+
+    def path(
+        self,
+        *,
+        channel: int | None = None,
+        path: int | None = None,
+        page: int | None = None,
+        follow: int | None = None,
+    ) -> dict[str, Any]:
+        """Planned path of the tip in the workpiece system, from the simulation of the loaded program; pages of
+        points with the lines that lead to them.
+
+        ``program.path``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+            path: id of a path that was asked for before; default: the newest one; 1 to 4000000000.
+            page: page of the path, from 0; default: all of them, one by one; 0 to 1000000.
+            follow: 1: the answer names the request for the page behind it, as it does without `page`;
+                default 0; 0 to 1.
+        """
+        return self._call("program.path", _given(channel=channel, path=path, page=page, follow=follow))
+
+    def load(
+        self,
+        program: str,
+        *,
+        channel: int | None = None,
+        wait: Literal["accepted", "done"] | None = None,
+    ) -> dict[str, Any]:
+        """Compile a program; errors come with file, line and column.
+
+        ``program.load``, for the role operator.
+
+        Args:
+            program: program file beneath the program root.
+            channel: channel; default: the first one; 1 to 999.
+            wait: when the answer comes: request accepted, or work done.
+        """
+        return self._call("program.load", _given(program=program, channel=channel, wait=wait))
+
+    def run(
+        self,
+        program: str,
+        *,
+        channel: int | None = None,
+        wait: Literal["accepted", "done"] | None = None,
+    ) -> dict[str, Any]:
+        """Load a program and start it.
+
+        ``program.run``, for the role operator.
+
+        Args:
+            program: program file beneath the program root.
+            channel: channel; default: the first one; 1 to 999.
+            wait: when the answer comes: request accepted, or work done.
+        """
+        return self._call("program.run", _given(program=program, channel=channel, wait=wait))
+
+    def start(
+        self,
+        *,
+        channel: int | None = None,
+        wait: Literal["accepted", "done"] | None = None,
+    ) -> dict[str, Any]:
+        """Start the loaded program; continue it when held.
+
+        ``program.start``, for the role operator.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+            wait: when the answer comes: request accepted, or work done.
+        """
+        return self._call("program.start", _given(channel=channel, wait=wait))
+
+    def hold(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Feed hold: come to rest along the path.
+
+        ``program.hold``, for the role operator.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.hold", _given(channel=channel))
+
+    def resume(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Continue after a feed hold.
+
+        ``program.resume``, for the role operator.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.resume", _given(channel=channel))
+
+    def stop(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Hold, then end the program without an alarm.
+
+        ``program.stop``, for the role operator.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.stop", _given(channel=channel))
+
+    def reset(self, *, channel: int | None = None) -> dict[str, Any]:
+        """End the program and clear the alarms of the channel.
+
+        ``program.reset``, for the role operator.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.reset", _given(channel=channel))
+
+    def optional_stop(self, on: int, *, channel: int | None = None) -> dict[str, Any]:
+        """Optional stop: whether M1 stops the program.
+
+        ``program.optional_stop``, for the role operator.
+
+        Args:
+            on: 1 on, 0 off; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.optional_stop", _given(on=on, channel=channel))
+
+    def step(self, on: int, *, channel: int | None = None) -> dict[str, Any]:
+        """Single block: stop after each block; program start lets the next one begin.
+
+        ``program.step``, for the role operator.
+
+        Args:
+            on: 1 on, 0 off; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.step", _given(on=on, channel=channel))
+
+    def skip(self, level: int, *, channel: int | None = None) -> dict[str, Any]:
+        """Skip the blocks of a level from the next sync point on.
+
+        ``program.skip``, for the role operator.
+
+        Args:
+            level: level of block skip: 1 for /, 2 to 9 for /2 to /9; 1 to 9.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.skip", _given(level=level, channel=channel))
+
+    def unskip(self, level: int, *, channel: int | None = None) -> dict[str, Any]:
+        """Execute the blocks of a level again.
+
+        ``program.unskip``, for the role operator.
+
+        Args:
+            level: level of block skip: 1 for /, 2 to 9 for /2 to /9; 1 to 9.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.unskip", _given(level=level, channel=channel))
+
+    def list(self) -> dict[str, Any]:
+        """Program files beneath the program root.
+
+        ``program.list``, for the role observer.
+        """
+        return self._call("program.list", _given())
+
+    def history(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Program runs since the daemon started, with blocks and times, the newest 500 of each channel.
+
+        ``program.history``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.history", _given(channel=channel))
+
+    def search(
+        self,
+        target: str,
+        *,
+        pass_: int | None = None,
+        calculation: Literal["with", "without"] | None = None,
+        channel: int | None = None,
+    ) -> dict[str, Any]:
+        """Block search: the loaded program begins at this block when it is started; answers what lies before it.
+
+        ``program.search``, for the role operator.
+
+        Args:
+            target: line, 120, or block number, N40; of another file: sub.nc:120.
+            pass_: which pass of a loop; default 1; 1 to 1000000.
+            calculation: with (default): in the state that the blocks before it would leave; without: in the
+                default state.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.search", _given(
+            target=target, pass_=pass_, calculation=calculation, channel=channel))
+
+
+class OverrideMethods:
+    """Methods ``override.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def feed(self, percent: float, *, channel: int | None = None) -> dict[str, Any]:
+        """Feed override of a channel.
+
+        ``override.feed``, for the role operator.
+
+        Args:
+            percent: percent of the programmed value; 0 to 200 %.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("override.feed", _given(percent=percent, channel=channel))
+
+    def rapid(self, percent: float, *, channel: int | None = None) -> dict[str, Any]:
+        """Rapid override of a channel.
+
+        ``override.rapid``, for the role operator.
+
+        Args:
+            percent: percent of the programmed value; 0 to 100 %.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("override.rapid", _given(percent=percent, channel=channel))
+
+    def spindle(self, percent: float, *, channel: int | None = None) -> dict[str, Any]:
+        """Spindle override of a channel.
+
+        ``override.spindle``, for the role operator.
+
+        Args:
+            percent: percent of the programmed value; 50 to 150 %.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("override.spindle", _given(percent=percent, channel=channel))
+
+
+class KinematicsMethods:
+    """Methods ``kinematics.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def list(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Kinematic schemes of a channel.
+
+        ``kinematics.list``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("kinematics.list", _given(channel=channel))
+
+    def select(self, scheme: int, *, channel: int | None = None) -> dict[str, Any]:
+        """Switch the channel to another scheme; the channel must be idle.
+
+        ``kinematics.select``, for the role operator.
+
+        Args:
+            scheme: kinematic scheme of the channel; 0 to 9999.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("kinematics.select", _given(scheme=scheme, channel=channel))
+
+    def status(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Active scheme, its axes, their drives and brakes.
+
+        ``kinematics.status``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("kinematics.status", _given(channel=channel))
+
+
+class DriveMethods:
+    """Methods ``drive.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def list(self) -> dict[str, Any]:
+        """Drives of the machine file with bus address, kind and requests.
+
+        ``drive.list``, for the role observer.
+        """
+        return self._call("drive.list", _given())
+
+    def status(self) -> dict[str, Any]:
+        """Every drive: state, fault, position, switches, errors; the bus: exchanges, latency.
+
+        ``drive.status``, for the role observer.
+        """
+        return self._call("drive.status", _given())
+
+    def reset(self, drive: str) -> dict[str, Any]:
+        """Clear the fault of a drive.
+
+        ``drive.reset``, for the role operator.
+
+        Args:
+            drive: name of the axis; S and its number for a spindle.
+        """
+        return self._call("drive.reset", _given(drive=drive))
+
+    def fault(
+        self,
+        drive: str,
+        fault: Literal["none", "off", "stuck", "garbage", "slow", "intermittent", "trip", "elsewhere",
+            "mangled", "hang_up", "jammed", "frozen"],
+    ) -> dict[str, Any]:
+        """Make a simulated drive fail or work again.
+
+        ``drive.fault``, for the role integrator.
+
+        Args:
+            drive: name of the axis; S and its number for a spindle.
+            fault: fault that the drive has from now on; none: it works.
+        """
+        return self._call("drive.fault", _given(drive=drive, fault=fault))
+
+
+class AlarmMethods:
+    """Methods ``alarm.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def list(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Active alarms.
+
+        ``alarm.list``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("alarm.list", _given(channel=channel))
+
+    def ack(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Acknowledge the alarms of a channel.
+
+        ``alarm.ack``, for the role operator.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("alarm.ack", _given(channel=channel))
+
+    def history(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Alarms since the daemon started, the newest 500 of each channel.
+
+        ``alarm.history``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("alarm.history", _given(channel=channel))
+
+
+class ToolMethods:
+    """Methods ``tool.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def list(self) -> dict[str, Any]:
+        """Tool table.
+
+        ``tool.list``, for the role observer.
+        """
+        return self._call("tool.list", _given())
+
+    def get(self, number: int, *, edge: int | None = None) -> dict[str, Any]:
+        """Values of one edge of a tool.
+
+        ``tool.get``, for the role observer.
+
+        Args:
+            number: number of the tool; 0 to 32000.
+            edge: edge of the tool; default 1; 1 to 99.
+        """
+        return self._call("tool.get", _given(number=number, edge=edge))
+
+    def set(
+        self,
+        number: int,
+        key: Literal["length", "length_x", "length_y", "radius", "wear_length", "wear_length_x", "wear_radius",
+            "overhang", "orientation", "angle_front", "angle_back"],
+        value: float,
+        *,
+        edge: int | None = None,
+    ) -> dict[str, Any]:
+        """Change a value of a tool; not while a program runs.
+
+        ``tool.set``, for the role operator.
+
+        Args:
+            number: number of the tool; 0 to 32000.
+            key: which value of the tool.
+            value: new value; -100000 to 100000 mm, deg.
+            edge: edge of the tool; default 1; 1 to 99.
+        """
+        return self._call("tool.set", _given(number=number, key=key, value=value, edge=edge))
+
+    def load(self, tables: str, *, file: str | None = None) -> dict[str, Any]:
+        """Set the tools and work offsets that a text names; not while a program runs.
+
+        ``tool.load``, for the role operator.
+
+        Args:
+            tables: tools and work offsets, as in a tables file.
+            file: name of the text in messages; default: that of the file.
+        """
+        return self._call("tool.load", _given(tables=tables, file=file))
+
+    def save(self) -> dict[str, Any]:
+        """Print tools and work offsets as a text that tool load takes.
+
+        ``tool.save``, for the role observer.
+        """
+        return self._call("tool.save", _given())
+
+
+class OffsetMethods:
+    """Methods ``offset.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def list(self) -> dict[str, Any]:
+        """Work offsets.
+
+        ``offset.list``, for the role observer.
+        """
+        return self._call("offset.list", _given())
+
+    def set(self, offset: str, axis: str, value: float) -> dict[str, Any]:
+        """Change a work offset; not while a program runs.
+
+        ``offset.set``, for the role operator.
+
+        Args:
+            offset: work offset: G54 to G59, G59.1 to G59.3, "G54.1 P1".
+            axis: axis of the machine; R: rotation.
+            value: new value; -100000 to 100000 mm, deg.
+        """
+        return self._call("offset.set", _given(offset=offset, axis=axis, value=value))
+
+
+class ProcessMethods:
+    """Methods ``process.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def status(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Feed law, feed, spindle, cutting speed and force control.
+
+        ``process.status``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("process.status", _given(channel=channel))
+
+    def interrupt(self, la: float, *, lb: float | None = None, channel: int | None = None) -> dict[str, Any]:
+        """Interrupt the feed: at once, then after each L_B of path, for the time of L_A.
+
+        ``process.interrupt``, for the role operator.
+
+        Args:
+            la: equivalent dwell path L_A: the axes rest as long as it would take at the feed; 0 ends the
+                interruption; 0 to 10000 mm.
+            lb: path L_B at feed from one rest to the next; 0 to 10000 mm.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("process.interrupt", _given(la=la, lb=lb, channel=channel))
+
+    def automatic(
+        self,
+        law: Literal["modulated", "linear"],
+        on: int,
+        *,
+        channel: int | None = None,
+    ) -> dict[str, Any]:
+        """Automatic feed law: the channel forms the feed from a sensor.
+
+        ``process.automatic``, for the role operator.
+
+        Args:
+            law: modulated: acts on the vibration; linear: on the power of the spindle.
+            on: 1 on, 0 off; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("process.automatic", _given(law=law, on=on, channel=channel))
+
+    def adaptive(
+        self,
+        action: Literal["off", "on", "set"],
+        *,
+        quantity: Literal["force", "level", "mass", "frequency"] | None = None,
+        value: float | None = None,
+        channel: int | None = None,
+    ) -> dict[str, Any]:
+        """Adaptive control of the cutting force: switch it on or off, or change one of its values.
+
+        ``process.adaptive``, for the role operator.
+
+        Args:
+            action: on: control to the force given, or to the last one; set: change one value.
+            quantity: cutting force P_z; permissible vibration; reduced mass and frequency of the
+                oscillation that is formed from the vibration.
+            value: new value of the quantity; above 0; 0 to 1000000 N, um, kg, Hz.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("process.adaptive", _given(action=action, quantity=quantity, value=value, channel=channel))
+
+    def grinding(self, program: str) -> dict[str, Any]:
+        """Plunge grinding cycle: designed from a process file, or verified from a control file; samples are time
+        s, X mm, allowance left mm, infeed mm/s, removal mm2/rad, and the removal over its boundary; a check of
+        this connection ends it.
+
+        ``process.grinding``, for the role observer.
+
+        Args:
+            program: process file (.toml) or control file beneath the program root.
+        """
+        return self._call("process.grinding", _given(program=program))
+
+
+class WorkpieceMethods:
+    """Methods ``workpiece.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def status(self) -> dict[str, Any]:
+        """Whether announcements of workpieces are published, and the latest of every channel.
+
+        ``workpiece.status``, for the role observer.
+        """
+        return self._call("workpiece.status", _given())
+
+    def surface(
+        self,
+        *,
+        channel: int | None = None,
+        workpiece: int | None = None,
+        since: int | None = None,
+        from_: int | None = None,
+    ) -> dict[str, Any]:
+        """Surface of the workpiece that is being cut, by pages; or what has changed of it.
+
+        ``workpiece.surface``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+            workpiece: the one that `since` and `from` are of; of another one all is told, from its
+                beginning; 0 to 4000000000.
+            since: version that is known already: only what has changed later is told; default 0: all; 0 to
+                4000000000.
+            from_: brick with which the page begins, as `next` of the one before told; default 0; 0 to
+                1000000000.
+        """
+        return self._call("workpiece.surface", _given(channel=channel, workpiece=workpiece, since=since, from_=from_))
+
+    def allow(self, *, on: int | None = None) -> dict[str, Any]:
+        """Publish the workpieces that programs announce with #workpiece, for viewers that follow the cut.
+
+        ``workpiece.allow``, for the role operator.
+
+        Args:
+            on: 1 (default): allow them; 0: no longer; 0 to 1.
+        """
+        return self._call("workpiece.allow", _given(on=on))
+
+
+class ScopeMethods:
+    """Methods ``scope.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def signals(self) -> dict[str, Any]:
+        """Signals of axes, channels and cycle that can be recorded, with units and limits.
+
+        ``scope.signals``, for the role observer.
+        """
+        return self._call("scope.signals", _given())
+
+    def start(
+        self,
+        signals: str,
+        *,
+        trigger: Literal["none", "level", "event", "block", "alarm"] | None = None,
+        signal: str | None = None,
+        level: float | None = None,
+        edge: Literal["rising", "falling"] | None = None,
+        event: str | None = None,
+        line: int | None = None,
+        channel: int | None = None,
+        before_s: float | None = None,
+        length_s: float | None = None,
+    ) -> dict[str, Any]:
+        """Record signals in every cycle, from before a trigger; ends the recording before.
+
+        ``scope.start``, for the role operator.
+
+        Args:
+            signals: up to 8 names of scope.signals with blanks or commas between them.
+            trigger: what the recording waits for; default none: it begins at once.
+            signal: signal of the level; default: the first one.
+            level: value that the signal crosses, in its unit; -1000000000 to 1000000000.
+            edge: in which direction; default rising.
+            event: code of the event, like E6010; default: any.
+            line: line of the block that begins; 1 to 4000000000.
+            channel: channel; default: the first one; 1 to 999.
+            before_s: time kept from before the trigger; default: a quarter; 0 to 120 s.
+            length_s: time of the whole recording, at most 120,000 cycles; default 2; 0.001 to 120 s.
+        """
+        return self._call("scope.start", _given(
+            signals=signals, trigger=trigger, signal=signal, level=level, edge=edge, event=event, line=line,
+            channel=channel, before_s=before_s, length_s=length_s))
+
+    def stop(self) -> dict[str, Any]:
+        """End the recording; what there is can be read.
+
+        ``scope.stop``, for the role operator.
+        """
+        return self._call("scope.stop", _given())
+
+    def read(self, *, from_: int | None = None) -> dict[str, Any]:
+        """The recording, at most 4096 cycles at a time: Float32, little endian, in base64, a value of each signal,
+        cycle by cycle.
+
+        ``scope.read``, for the role observer.
+
+        Args:
+            from_: cycle of the recording with which the answer begins; default 0; 0 to 1000000000.
+        """
+        return self._call("scope.read", _given(from_=from_))
+
+
+class HistoryMethods:
+    """Methods ``history.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def logs(self) -> dict[str, Any]:
+        """The log files of the machine, the newest first.
+
+        ``history.logs``, for the role observer.
+        """
+        return self._call("history.logs", _given())
+
+    def verify(self, file: str) -> dict[str, Any]:
+        """Repeat a log from its inputs and compare every setpoint: same, part (it is cut, damaged or lacks inputs;
+        the same as far as it goes), or differs.
+
+        ``history.verify``, for the role observer.
+
+        Args:
+            file: name of a log, as history.logs tells it.
+        """
+        return self._call("history.verify", _given(file=file))
+
+    def path(self, file: str, *, channel: int | None = None, page: int | None = None) -> dict[str, Any]:
+        """Where a log led the tip of a channel: pages of points with their times.
+
+        ``history.path``, for the role observer.
+
+        Args:
+            file: name of a log, as history.logs tells it.
+            channel: channel; default: the first one; 1 to 999.
+            page: page of the path, from 0; default 0, which reads the log anew; 0 to 1000000.
+        """
+        return self._call("history.path", _given(file=file, channel=channel, page=page))
+
+
+class LogMethods:
+    """Methods ``log.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def status(self) -> dict[str, Any]:
+        """Recorder and LCM publisher: file, bytes, losses.
+
+        ``log.status``, for the role observer.
+        """
+        return self._call("log.status", _given())
+
+    def start(self) -> dict[str, Any]:
+        """Begin a new log file.
+
+        ``log.start``, for the role operator.
+        """
+        return self._call("log.start", _given())
+
+    def stop(self) -> dict[str, Any]:
+        """End the log file.
+
+        ``log.stop``, for the role operator.
+        """
+        return self._call("log.stop", _given())
+
+
+class SessionMethods:
+    """Methods ``session.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def role(
+        self,
+        role: Literal["observer", "operator", "programmer", "integrator"],
+        *,
+        name: str | None = None,
+    ) -> dict[str, Any]:
+        """Lower the role of this connection, and say who works there.
+
+        ``session.role``, for the role observer.
+
+        Args:
+            role: highest role to have from now on; a connection cannot raise its role again.
+            name: who works here, for the log and for others who see who controls a channel; the first name
+                stays.
+        """
+        return self._call("session.role", _given(role=role, name=name))
+
+
+class SystemMethods:
+    """Methods ``system.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def info(self) -> dict[str, Any]:
+        """Version, build, process, files, clients.
+
+        ``system.info``, for the role observer.
+        """
+        return self._call("system.info", _given())
+
+    def shutdown(self) -> dict[str, Any]:
+        """Feed hold, then drives off, then the daemon ends.
+
+        ``system.shutdown``, for the role integrator.
+        """
+        return self._call("system.shutdown", _given())
+
+
+class RpcMethods:
+    """Methods ``rpc.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def discover(self) -> dict[str, Any]:
+        """This table of methods as an OpenRPC document.
+
+        ``rpc.discover``, for the role observer.
+        """
+        return self._call("rpc.discover", _given())
+
+
+class Methods:
+    """Every method of the protocol: nouns as attributes, verbs as their methods."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+        self.machine = MachineMethods(call)
+        self.channel = ChannelMethods(call)
+        self.program = ProgramMethods(call)
+        self.override = OverrideMethods(call)
+        self.kinematics = KinematicsMethods(call)
+        self.drive = DriveMethods(call)
+        self.alarm = AlarmMethods(call)
+        self.tool = ToolMethods(call)
+        self.offset = OffsetMethods(call)
+        self.process = ProcessMethods(call)
+        self.workpiece = WorkpieceMethods(call)
+        self.scope = ScopeMethods(call)
+        self.history = HistoryMethods(call)
+        self.log = LogMethods(call)
+        self.session = SessionMethods(call)
+        self.system = SystemMethods(call)
+        self.rpc = RpcMethods(call)
+
+    def mdi(
+        self,
+        text: str,
+        *,
+        channel: int | None = None,
+        wait: Literal["accepted", "done"] | None = None,
+    ) -> dict[str, Any]:
+        """Execute one line of program text: a block or a statement.
+
+        ``mdi``, for the role operator.
+
+        Args:
+            text: one complete statement.
+            channel: channel; default: the first one; 1 to 999.
+            wait: when the answer comes: request accepted, or work done.
+        """
+        return self._call("mdi", _given(text=text, channel=channel, wait=wait))
+
+    def jog(
+        self,
+        axis: str,
+        velocity: float,
+        *,
+        increment: float | None = None,
+        channel: int | None = None,
+    ) -> dict[str, Any]:
+        """Jog an axis: by an increment, or for 200 ms at a time; repeat the command to keep it moving.
+
+        ``jog``, for the role operator.
+
+        Args:
+            axis: axis of the machine, as in the machine file.
+            velocity: velocity; its sign is the direction; -100000 to 100000 mm/s, deg/s.
+            increment: distance to go; without it the axis moves as long as the jog is repeated; 0 to 100000
+                mm, deg.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("jog", _given(axis=axis, velocity=velocity, increment=increment, channel=channel))
+
+    def home(self, *, axis: str | None = None, channel: int | None = None) -> dict[str, Any]:
+        """Home the axes of a channel in the order of the machine file: find home switch or index pulse; answers
+        when it is done.
+
+        ``home``, for the role operator.
+
+        Args:
+            axis: one axis only; default: all of the channel.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("home", _given(axis=axis, channel=channel))
+
+    def subscribe(
+        self,
+        topics: Sequence[Literal["machine", "channels", "drives", "events"]],
+        *,
+        rate_hz: float | None = None,
+    ) -> dict[str, Any]:
+        """Send a snapshot of these topics, then their changes as notifications.
+
+        ``subscribe``, for the role observer.
+
+        Args:
+            topics: topics to be told of; an empty list ends the subscription.
+            rate_hz: most status messages per second; default 10; 0.1 to 50 Hz.
+        """
+        return self._call("subscribe", _given(topics=topics, rate_hz=rate_hz))

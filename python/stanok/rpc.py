@@ -1,0 +1,292 @@
+"""A client of a running machine: the operator protocol of ``stanokd`` in pure Python.
+
+``connect()`` gives a :class:`Client`, with a method for each of the protocol's
+(docs/reference/protocol.md)::
+
+    with stanok.connect() as machine:
+        machine.machine.on()
+        machine.program.run("part.nc", wait="done")
+        for event in machine.events():
+            print(event["code"], event["text"])
+"""
+from __future__ import annotations
+
+import collections
+import itertools
+import json
+import os
+import socket
+import tempfile
+import threading
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Union
+
+from .errors import ConnectionLost, Fault, RequestError
+from .methods import Methods
+
+__all__ = ["Address", "Client", "Notification", "connect", "merged"]
+
+Address = Union[str, "os.PathLike[str]", tuple[str, int], None]
+
+_bytes_max = 64 << 20  # of a line: the daemon's are shorter by far
+
+
+class Notification(collections.namedtuple("Notification", "method params")):
+    """What the daemon tells unasked: ``status``, ``event``, ``dropped``."""
+
+    method: str
+    params: dict[str, Any]
+
+
+class Client(Methods):
+    """A connection to a daemon; a method for each of the protocol's, by noun and verb.
+
+    ``client.machine.status()`` asks ``machine.status``; parameters are keywords, in mm, deg and s as the
+    protocol has them; the result is the ``dict`` that it describes. A refused request is a
+    :class:`~stanok.RequestError` with code, place and remedy; a connection that went is
+    :class:`~stanok.ConnectionLost`. Calls of several threads are made one after the other.
+
+    Args:
+        address: see :func:`connect`.
+        timeout_s: for which an answer is waited for; ``None``: for ever. A ``TimeoutError`` afterwards; what
+            was asked for goes on in the daemon.
+    """
+
+    def __init__(self, address: Address = None, *, timeout_s: float | None = 30.0) -> None:
+        self._timeout_s = timeout_s
+        self._socket = _connected(address, timeout_s)
+        self._buffer = bytearray()
+        self._numbers = itertools.count(1)
+        self._notifications: collections.deque[Notification] = collections.deque()
+        self._lock = threading.RLock()
+        super().__init__(self.call)
+        try:
+            self._hello = self._greeting()
+        except BaseException:
+            self._socket.close()
+            raise
+
+    @property
+    def hello(self) -> dict[str, Any]:
+        """What the daemon said first: server, version, machine, channels, session and role."""
+        return dict(self._hello)
+
+    def call(self, method: str, params: Mapping[str, Any] | None = None, *,
+             timeout_s: float | None = None) -> dict[str, Any]:
+        """Asks a method by its name; the members of the result.
+
+        ``timeout_s`` instead of that of the client.
+        """
+        with self._lock:
+            number = next(self._numbers)
+            self._send({"jsonrpc": "2.0", "id": number, "method": method, "params": dict(params or {})})
+            deadline = _deadline(self._timeout_s if timeout_s is None else timeout_s)
+            while True:
+                message = self._receive(deadline)
+                if message is None:
+                    raise TimeoutError(f"{method}: no answer in time; what was asked for goes on")
+                if message.get("id") == number and "method" not in message:
+                    break
+                self._keep(message)
+            if "error" in message:
+                raise _refusal(message["error"])
+            result = message.get("result")
+            return result if isinstance(result, dict) else {"result": result}
+
+    def notifications(self, timeout_s: float | None = None) -> Iterator[Notification]:
+        """What the daemon tells unasked, as it comes; ends when nothing came for ``timeout_s``."""
+        while True:
+            with self._lock:
+                if not self._notifications:
+                    message = self._receive(_deadline(timeout_s))
+                    if message is None:
+                        return
+                    self._keep(message)
+                if not self._notifications:
+                    continue
+                notification = self._notifications.popleft()
+            yield notification
+
+    def events(self, timeout_s: float | None = None) -> Iterator[dict[str, Any]]:
+        """Alarms, warnings and messages as they come, each once: ``{"seq", "cycle", "channel", "code", "text", "line"}``.
+
+        Subscribes to them at the first one that is asked for; ends when nothing came for ``timeout_s``.
+        """
+        self.call("subscribe", {"topics": ["events"]})
+        for notification in self.notifications(timeout_s):
+            if notification.method == "event":
+                yield notification.params
+
+    def states(self, topics: Sequence[str] = ("machine", "channels", "drives"), *, rate_hz: float = 10.0,
+               timeout_s: float | None = None) -> Iterator[dict[str, Any]]:
+        """The state of these topics, whole, whenever it has changed, at most ``rate_hz`` times a second."""
+        self.call("subscribe", {"topics": list(topics), "rate_hz": rate_hz})
+        state: Any = {}
+        for notification in self.notifications(timeout_s):
+            if notification.method != "status":
+                continue
+            change = notification.params["state"]
+            state = change if notification.params.get("full") else merged(state, change)
+            yield state
+
+    def close(self) -> None:
+        """Ends the connection; a program that runs goes on."""
+        self._socket.close()
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<Client of {self._hello.get('machine')}: {self._hello.get('role')}>"
+
+    def _greeting(self) -> dict[str, Any]:
+        message = self._receive(_deadline(self._timeout_s))
+        if message is None:
+            raise ConnectionLost("no daemon of stanok answers at this address")
+        if message.get("method") == "dropped":
+            raise ConnectionLost([_fault(message.get("params") or {})])
+        if message.get("method") != "hello":
+            raise ConnectionLost("what answers at this address is no daemon of stanok")
+        params: dict[str, Any] = message["params"]
+        return params
+
+    def _keep(self, message: dict[str, Any]) -> None:
+        if "method" in message:
+            self._notifications.append(Notification(message["method"], message.get("params") or {}))
+
+    def _send(self, message: dict[str, Any]) -> None:
+        try:
+            self._socket.settimeout(self._timeout_s)
+            self._socket.sendall(json.dumps(message).encode() + b"\n")
+        except TimeoutError:
+            raise
+        except OSError as error:
+            raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
+
+    def _receive(self, deadline: float | None) -> dict[str, Any] | None:
+        """The next message; ``None``: not until the deadline."""
+        while b"\n" not in self._buffer:
+            if len(self._buffer) > _bytes_max:
+                raise ConnectionLost("the daemon sent a line without an end")
+            left = None if deadline is None else deadline - time.monotonic()
+            if left is not None and left <= 0.0:
+                return None
+            try:
+                self._socket.settimeout(left)
+                received = self._socket.recv(1 << 16)
+            except TimeoutError:
+                return None
+            except OSError as error:
+                raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
+            if not received:
+                raise ConnectionLost(self._why_it_went())
+            self._buffer += received
+        line, _, rest = bytes(self._buffer).partition(b"\n")
+        self._buffer = bytearray(rest)
+        try:
+            message = json.loads(line)
+        except ValueError as error:
+            raise ConnectionLost("what answers at this address is no daemon of stanok") from error
+        return message if isinstance(message, dict) else {}
+
+    def _why_it_went(self) -> str:
+        for notification in self._notifications:
+            if notification.method == "dropped":
+                return f"the daemon ended the connection: {_fault(notification.params)}"
+        return "the daemon ended the connection"
+
+
+def connect(address: Address = None, *, timeout_s: float | None = 30.0) -> Client:
+    """Connects to a running daemon.
+
+    Args:
+        address: the socket of the daemon as a path; ``("host", port)`` or ``"tcp://host:port"`` where it is
+            passed on over TCP (``ssh -L 7001:/run/stanok/mill.sock host``); ``None``: as ``stanok`` does, the one of
+            ``$STANOK_SOCKET``, else the only one of this user.
+        timeout_s: for which answers are waited for; ``None``: for ever.
+
+    Raises:
+        ConnectionLost: there is none.
+    """
+    return Client(address, timeout_s=timeout_s)
+
+
+def merged(state: Any, change: Any) -> Any:
+    """``state`` with a merge patch (RFC 7396): members replace, ``None`` removes."""
+    if not isinstance(change, dict):
+        return change
+    result = dict(state) if isinstance(state, dict) else {}
+    for name, value in change.items():
+        if value is None:
+            result.pop(name, None)
+        else:
+            result[name] = merged(result.get(name), value)
+    return result
+
+
+def _deadline(timeout_s: float | None) -> float | None:
+    return None if timeout_s is None else time.monotonic() + timeout_s
+
+
+def _fault(data: Mapping[str, Any], message: str = "") -> Fault:
+    return Fault.from_json({**data, "message": message or data.get("message") or data.get("text") or ""})
+
+
+def _refusal(error: Mapping[str, Any]) -> RequestError:
+    data = error.get("data") or {}
+    return RequestError([_fault(data, str(error.get("message", "")))], int(error.get("code", 0)), dict(data))
+
+
+def _connected(address: Address, timeout_s: float | None) -> socket.socket:
+    try:
+        if isinstance(address, tuple):
+            return socket.create_connection((address[0], int(address[1])), timeout_s)
+        if isinstance(address, str) and address.startswith("tcp://"):
+            host, _, port = address.removeprefix("tcp://").rpartition(":")
+            if not host or not port.isdigit():
+                raise ValueError(f"{address!r} is not tcp://HOST:PORT")
+            return socket.create_connection((host.strip("[]"), int(port)), timeout_s)
+        path = _only_socket() if address is None else os.fspath(address)
+        one = socket.socket(socket.AF_UNIX)
+        try:
+            one.settimeout(timeout_s)
+            one.connect(path)
+        except BaseException:
+            one.close()
+            raise
+        return one
+    except OSError as error:
+        raise ConnectionLost(f"no daemon answers at {address or 'its socket'}: {error}") from error
+
+
+def _only_socket() -> str:
+    named = os.environ.get("STANOK_SOCKET")
+    if named:
+        return named
+    folders = []
+    if os.environ.get("XDG_RUNTIME_DIR"):
+        folders.append(Path(os.environ["XDG_RUNTIME_DIR"]) / "stanok")
+    state = _state_home()
+    if state.is_dir():
+        folders.extend(sorted(state.iterdir()))
+    sockets = [path for folder in folders if folder.is_dir() for path in sorted(folder.glob("*.sock"))
+               if path.is_socket()]
+    if len(sockets) != 1:
+        found = ", ".join(map(str, sockets)) or "none"
+        raise ConnectionLost(f"name the socket of the daemon: {len(sockets)} were found ({found})")
+    return str(sockets[0])
+
+
+def _state_home() -> Path:
+    if os.environ.get("XDG_STATE_HOME"):
+        return Path(os.environ["XDG_STATE_HOME"]) / "stanok"
+    if os.environ.get("HOME"):
+        return Path(os.environ["HOME"]) / ".local" / "state" / "stanok"
+    return Path(tempfile.gettempdir()) / f"stanok-{os.getuid()}"

@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+"""The client of the operator protocol: against a running daemon, over its socket and over TCP.
+
+usage: client_test.py STANOKD MACHINE_FILE
+"""
+import json
+import os
+import socket
+import sys
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+import stanok
+from stanok import _native
+from surroundings import ROOT
+
+sys.path.insert(0, str(ROOT / "tests" / "support"))
+sys.path.insert(0, str(ROOT / "tools"))
+from generate_python_methods import FILE, generated  # noqa: E402
+from running_daemon import Operator, running_daemon  # noqa: E402
+
+PROGRAM = "G1 X5 F3000\n(MSG, half way)\nX0\nM30\n"
+STANOKD, MACHINE = sys.argv[1:3]
+
+
+class Relay:
+    """Passes one TCP connection on loopback on to a socket of the daemon, as ssh -L does."""
+
+    def __init__(self, path):
+        self.path = path
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.port = self.listener.getsockname()[1]
+        threading.Thread(target=self.serve, daemon=True).start()
+
+    def serve(self):
+        there, _ = self.listener.accept()
+        here = socket.socket(socket.AF_UNIX)
+        here.connect(self.path)
+        threads = [threading.Thread(target=self.copy, args=pair, daemon=True) for pair in ((there, here), (here, there))]
+        for thread in threads:
+            thread.start()
+
+    @staticmethod
+    def copy(source, sink):
+        while received := source.recv(1 << 16):
+            sink.sendall(received)
+        sink.close()
+
+
+class WithDaemon(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.running = running_daemon(STANOKD, MACHINE, PROGRAM)
+        cls.daemon = cls.running.__enter__()
+        cls.addClassCleanup(cls.running.__exit__, None, None, None)
+
+    def setUp(self):
+        self.client = stanok.connect(self.daemon.socket_path)
+        self.addCleanup(self.client.close)
+
+    def test_results_are_those_of_the_protocol(self):
+        other = Operator(self.daemon.socket_path)
+        self.assertEqual(self.client.hello["machine"], "mill3")
+        self.assertEqual(self.client.channel.list(), other.ask("channel.list"))
+        self.assertEqual(self.client.tool.list(), other.ask("tool.list"))
+        self.assertEqual(self.client.kinematics.list(channel=1), other.ask("kinematics.list", channel=1))
+        self.assertEqual(self.client.call("program.list"), other.ask("program.list"))
+        self.assertEqual(self.client.rpc.discover(), json.loads(_native.discovery()))
+
+    def test_a_program_is_run_and_its_messages_come(self):
+        with stanok.connect(self.daemon.socket_path) as watcher:
+            heard = []
+            listening = threading.Event()
+
+            def listen():
+                events = watcher.events(timeout_s=20)
+                watcher.call("subscribe", {"topics": ["events"]})
+                listening.set()
+                for event in events:
+                    heard.append(event)
+                    if "half way" in event["text"]:
+                        return
+
+            thread = threading.Thread(target=listen)
+            thread.start()
+            listening.wait(20)
+            self.client.machine.on()
+            self.client.home()
+            result = self.client.program.run("part.nc", wait="done")
+            thread.join()
+        self.assertTrue(result["ok"])
+        self.assertEqual(result["program"], "part.nc")
+        self.assertIn("half way", " ".join(event["text"] for event in heard))
+
+    def test_states_are_whole_after_every_change(self):
+        states = self.client.states(("channels",), rate_hz=50, timeout_s=20)
+        first = next(states)
+        self.assertIn("1", first["channels"])
+        with stanok.connect(self.daemon.socket_path) as other:
+            other.override.feed(77.0)
+        for state in states:
+            self.assertEqual(state["channels"]["1"].keys(), first["channels"]["1"].keys())
+            if state["channels"]["1"]["override"]["feed"] == 77.0:
+                break
+        self.client.override.feed(100.0)
+
+    def test_a_refusal_has_code_place_and_remedy(self):
+        self.client.program.write("wrong.nc", "G1 X1 F100\nG1 Qx\nM30\n", version="any")
+        self.client.machine.on()
+        with self.assertRaises(stanok.RequestError) as caught:
+            self.client.program.load("wrong.nc", wait="done")
+        error = caught.exception
+        self.assertEqual((error.number, error.file, error.line), (-32004, "wrong.nc", 2))
+        self.assertTrue(error.code and error.remedy)
+        with self.assertRaises(stanok.RequestError) as caught:
+            self.client.override.feed(1e6)
+        self.assertEqual(caught.exception.number, -32602)
+        with self.assertRaises(stanok.RequestError) as caught:
+            self.client.call("no.method")
+        self.assertEqual(caught.exception.number, -32601)
+        self.client.session.role("observer")
+        with self.assertRaises(stanok.RequestError) as caught:
+            self.client.program.start()
+        self.assertEqual(caught.exception.number, -32002)
+
+    def test_tcp(self):
+        for address in (lambda port: ("127.0.0.1", port), lambda port: f"tcp://127.0.0.1:{port}"):
+            relay = Relay(self.daemon.socket_path)
+            with stanok.connect(address(relay.port)) as client:
+                self.assertEqual(client.machine.status()["name"], "mill3")
+            relay.listener.close()
+
+    def test_threads_share_a_client(self):
+        results = []
+        threads = [threading.Thread(target=lambda: results.extend(self.client.machine.status()["name"]
+                                                                  for _ in range(20))) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(results, ["mill3"] * 80)
+
+    def test_the_socket_is_found_as_stanok_finds_it(self):
+        before = os.environ.get("STANOK_SOCKET")
+        os.environ["STANOK_SOCKET"] = self.daemon.socket_path
+        self.addCleanup(lambda: os.environ.pop("STANOK_SOCKET") if before is None else
+                        os.environ.update(STANOK_SOCKET=before))
+        with stanok.connect() as client:
+            self.assertEqual(client.hello["machine"], "mill3")
+
+    def test_patches_are_those_of_rfc_7396(self):
+        # Examples of its appendix A.
+        for target, patch, result in (({"a": "b"}, {"a": "c"}, {"a": "c"}), ({"a": "b"}, {"a": None}, {}),
+                                      ({"a": "b", "b": "c"}, {"a": None}, {"b": "c"}),
+                                      ({"a": {"b": "c"}}, {"a": {"b": "d", "c": None}}, {"a": {"b": "d"}}),
+                                      ({"a": "foo"}, "bar", "bar"), ({"e": None}, {"a": 1}, {"e": None, "a": 1}),
+                                      ([1, 2], {"a": "b", "c": None}, {"a": "b"}),
+                                      ({}, {"a": {"bb": {"ccc": None}}}, {"a": {"bb": {}}})):
+            self.assertEqual(stanok.rpc.merged(target, patch), result)
+
+
+class WithoutDaemon(unittest.TestCase):
+    def serve(self, *lines):
+        """A socket that says these lines to who connects, and closes."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path = str(Path(folder.name) / "one.sock")
+        listener = socket.socket(socket.AF_UNIX)
+        listener.bind(path)
+        listener.listen()
+        self.addCleanup(listener.close)
+
+        def talk():
+            there, _ = listener.accept()
+            there.sendall(b"".join(lines))
+            there.close()
+
+        threading.Thread(target=talk, daemon=True).start()
+        return path
+
+    def test_no_daemon_is_a_lost_connection(self):
+        for address in ("/nowhere/one.sock", ("127.0.0.1", 1), "tcp://127.0.0.1:1"):
+            with self.assertRaises(stanok.ConnectionLost):
+                stanok.connect(address)
+        for address in ("tcp://", "tcp://host", "tcp://host:port"):
+            with self.assertRaises(ValueError):
+                stanok.connect(address)
+
+    def test_what_is_no_daemon_is_told(self):
+        hello = b'{"jsonrpc":"2.0","method":"hello","params":{"machine":"m"}}\n'
+        for lines in ((), (b"SSH-2.0\r\n",), (b"{}\n",), (b"\xff\xfe\n",), (b"[" * 100_000 + b"\n",)):
+            with self.assertRaises((stanok.ConnectionLost, RecursionError)):
+                stanok.connect(self.serve(*lines))
+        full = b'{"jsonrpc":"2.0","method":"dropped","params":{"code":"E9008","text":"no place is left"}}\n'
+        with self.assertRaises(stanok.ConnectionLost) as caught:
+            stanok.connect(self.serve(full))
+        self.assertEqual(caught.exception.code, "E9008")
+        client = stanok.connect(self.serve(hello))
+        with self.assertRaises(stanok.ConnectionLost):
+            client.machine.status()
+
+
+class Table(unittest.TestCase):
+    def test_methods_are_those_of_the_table(self):
+        self.assertEqual(FILE.read_text(encoding="utf-8"), generated(),
+                         "write it anew: PYTHONPATH=build/release/python tools/generate_python_methods.py")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
