@@ -17,7 +17,7 @@ fail() {
 
 cpack --config "$build/CPackConfig.cmake" -B "$folder/made" >"$folder/cpack.log" 2>&1 ||
   fail "cpack: $(tail -n 20 "$folder/cpack.log")"
-package=$(find "$folder/made" -maxdepth 1 -name '*.deb')
+package=$(find "$folder/made" -maxdepth 1 -name 'stanok_*.deb')
 [[ -n $package ]] || fail "no package: $(cat "$folder/cpack.log")"
 [[ "$(dpkg-deb --field "$package" Depends)" == *libmodbus* ]] || fail "the package does not depend on its libraries"
 dpkg-deb --extract "$package" "$folder/unpacked"
@@ -35,6 +35,29 @@ done
 "$usr/bin/stanok" simulate "$usr/share/stanok/examples/helix.nc" \
   --machine "$usr/share/stanok/machines/mill3.toml" >/dev/null || fail "simulate"
 "$usr/bin/stanokd" --machine "$usr/share/stanok/machines/mill3.toml" --check-config >/dev/null || fail "stanokd"
+
+# The Python package, where it was built: it needs nothing of the build, and finds the cycles of the other package.
+python_package=$(find "$folder/made" -maxdepth 1 -name 'python3-stanok_*.deb')
+if [[ -n $python_package ]]; then
+  [[ "$(dpkg-deb --field "$python_package" Depends)" == *python3-numpy*stanok\ \(=* ]] ||
+    fail "python3-stanok depends on $(dpkg-deb --field "$python_package" Depends)"
+  dpkg-deb --extract "$python_package" "$folder/unpacked"
+  cat >"$folder/measure.nc" <<'TEXT'
+#include "measure/features.nc"
+M30
+TEXT
+  env -u LD_LIBRARY_PATH PYTHONPATH="$usr/lib/python3/dist-packages" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 - \
+    "$usr/share/stanok" "$folder/measure.nc" <<'TEXT' || fail "the Python package"
+import sys
+import stanok
+share, measure = sys.argv[1:]
+assert stanok.__file__.startswith(share.removesuffix("/share/stanok")), stanok.__file__
+result = stanok.simulate(f"{share}/machines/mill3.toml", f"{share}/examples/helix.nc")
+assert result.ok and result[1].position.shape == (result.cycles, 3)
+check = stanok.check(f"{share}/machines/mill3_probe.toml", measure)
+assert check.ok, check.faults
+TEXT
+fi
 
 # completions WORD...: what bash offers behind the words, the last one being typed.
 completions() {

@@ -171,10 +171,11 @@ InfeedLaw law_of(const Matrix& rows) {
   return law;
 }
 
-py::tuple plunge(const GrindOptions& options, const Matrix& rows, bool goes_on) {
+py::tuple plunge(const GrindOptions& options, const Matrix& rows,
+                 process::InfeedTravel::AtEnd at_end) {
   GrindInput input = value_or_raise(client::grind_input(options));
   const InfeedLaw law = law_of(rows);
-  if (goes_on) input.request.simulation.at_end = process::InfeedTravel::AtEnd::goes_on;
+  input.request.simulation.at_end = at_end;
   Interruption interruption;
   const process::PlungeRun run = without_lock(interruption, [&] {
     return process::simulate_plunge(input.request.process, law, input.request.simulation);
@@ -237,7 +238,13 @@ void bind_grinding(py::module_& module) {
   module.def("grind_verify", &verify, py::arg("options"));
   module.def("grind_study", &study, py::arg("options"));
   module.def("grind_program", &program, py::arg("options"), py::arg("title"));
-  module.def("grind_plunge", &plunge, py::arg("options"), py::arg("law"), py::arg("goes_on"));
+  module.def(
+      "grind_plunge",
+      [](const GrindOptions& options, const Matrix& law, bool goes_on) {
+        using AtEnd = process::InfeedTravel::AtEnd;
+        return plunge(options, law, goes_on ? AtEnd::goes_on : AtEnd::stands);
+      },
+      py::arg("options"), py::arg("law"), py::arg("goes_on"));
   module.def("grind_boundary", &boundary, py::arg("options"), py::arg("allowance_mm"));
 }
 
