@@ -15,6 +15,7 @@ void bind_programs(pybind11::module_& module);
 void bind_logs(pybind11::module_& module);
 void bind_kinematics(pybind11::module_& module);
 void bind_grinding(pybind11::module_& module);
+void bind_cutting(pybind11::module_& module);
 void bind_protocol(pybind11::module_& module);
 
 }  // namespace stanok::python

@@ -11,5 +11,6 @@ PYBIND11_MODULE(_native, module) {
   stanok::python::bind_logs(module);
   stanok::python::bind_kinematics(module);
   stanok::python::bind_grinding(module);
+  stanok::python::bind_cutting(module);
   stanok::python::bind_protocol(module);
 }

@@ -10,12 +10,14 @@
 #include "client/offline/simulate/operator_events_file.h"
 #include "client/offline/simulate/sensor_file.h"
 #include "protocol/json_text.h"
+#include "protocol/version.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
 #include "python/native/interruption.h"
 #include "python/native/machine_handle.h"
 #include "python/native/setpoint_columns.h"
 #include "recording/format/encode.h"
+#include "runtime/log_observer.h"
 #include "runtime/simulation.h"
 
 namespace stanok::python {
@@ -182,6 +184,7 @@ struct Job {
   double until_s = -1.0;
   bool drives = false;
   std::string sensors;  // file; empty: none
+  std::string log;      // file to write; empty: none
 };
 
 runtime::SimulationOptions options_of(const config::MachineFile& machine, const Job& job) {
@@ -201,18 +204,32 @@ runtime::SimulationOptions options_of(const config::MachineFile& machine, const 
   return options;
 }
 
+// nullptr: none is wanted.
+std::unique_ptr<runtime::LogObserver> log_of(const runtime::SimulationOptions& options,
+                                             const std::string& file) {
+  if (file.empty()) return nullptr;
+  return std::make_unique<runtime::LogObserver>(options.file, runtime::setup_of(options), file,
+                                                std::string(protocol::version));
+}
+
 py::tuple simulate(const config::MachineFile& machine, const Job& job, const Kept& kept) {
   const runtime::SimulationOptions options = options_of(machine, job);
   Memory memory(machine.machine, kept);
+  const auto log = log_of(options, job.log);
+  std::vector<runtime::CycleObserver*> observers{&memory};
+  if (log != nullptr) observers.push_back(log.get());
   Interruption interruption;
   runtime::SimulationResult result;
   std::string text;
+  std::string log_error;
   {
     const py::gil_scoped_release others_run;
-    result = runtime::simulate(options, {&memory}, interruption.asked());
+    result = runtime::simulate(options, observers, interruption.asked());
+    if (log != nullptr) log_error = log->close();
     text = protocol::json_text(result_json(result, memory, machine));
   }
   interruption.rethrow();
+  if (!log_error.empty()) raise("LogError", ordered_json::array({fault_json("", log_error)}));
   return py::make_tuple(py::str(text), memory.take_setpoints());
 }
 
@@ -227,7 +244,8 @@ void bind_simulation(py::module_& module) {
       .def_readwrite("schemes", &Job::schemes)
       .def_readwrite("until_s", &Job::until_s)
       .def_readwrite("drives", &Job::drives)
-      .def_readwrite("sensors", &Job::sensors);
+      .def_readwrite("sensors", &Job::sensors)
+      .def_readwrite("log", &Job::log);
   module.def("columns", &SetpointColumns::names);
   module.def(
       "simulate",

@@ -11,7 +11,7 @@ libraries. Lengths are mm, angles deg, times s.
 """
 from __future__ import annotations
 
-from . import _native, grinding
+from . import _native, cutting, grinding
 from .errors import (
     ConnectionLost,
     Fault,
@@ -27,6 +27,7 @@ from .interpreter import Check, FeedLawBlock, Interpretation, check, interpret
 from .kinematics import Jets, Kinematics
 from .logs import Log, open_log, read_log
 from .machine import Axis, Channel, Machine, Scheme, load_machine
+from .programs import example_machine, example_program
 from .rpc import Client, Notification, connect
 from .setpoints import ALL_COLUMNS, USUAL_COLUMNS, Setpoints
 from .simulation import Event, OperatorEvent, Run, Simulation, simulate
@@ -64,6 +65,9 @@ __all__ = [
     "StanokError",
     "check",
     "connect",
+    "cutting",
+    "example_machine",
+    "example_program",
     "grinding",
     "interpret",
     "load_machine",

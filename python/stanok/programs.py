@@ -41,7 +41,30 @@ def search_roots(folders: Sequence[str], program_root: PathLike | None) -> list[
 
 def standard_cycles() -> list[str]:
     """Folders of the standard cycles: beside a build, or installed."""
+    return [str(folder) for folder in _coming_with_stanok("programs/cycles", "cycles")]
+
+
+def example_machine(name: str) -> Path:
+    """The file of a machine that comes with stanok: ``example_machine("lathe")``; ``ValueError``: there is none."""
+    return _example(_coming_with_stanok("config/machines", "machines"), f"{name}.toml")
+
+
+def example_program(name: str) -> Path:
+    """A program or process file that comes with stanok: ``example_program("helix.nc")``; ``ValueError``: there is none."""
+    return _example(_coming_with_stanok("programs/examples", "examples"), name)
+
+
+def _example(folders: list[Path], name: str) -> Path:
+    for folder in folders:
+        if (folder / name).is_file():
+            return folder / name
+    known = sorted(path.stem if name.endswith(".toml") else path.name
+                   for folder in folders for path in folder.glob("*.*"))
+    raise ValueError(f"no {name} comes with stanok; there are {', '.join(known) or 'none'}")
+
+
+def _coming_with_stanok(in_sources: str, installed: str) -> list[Path]:
     package = Path(__file__).resolve().parent
-    candidates = [package.parents[3] / "programs" / "cycles"] if len(package.parents) > 3 else []
-    candidates += [parent / "share" / "stanok" / "cycles" for parent in package.parents[2:4]]
-    return [str(folder) for folder in candidates if folder.is_dir()]
+    candidates = [package.parents[3] / in_sources] if len(package.parents) > 3 else []
+    candidates += [parent / "share" / "stanok" / installed for parent in package.parents[2:4]]
+    return [folder for folder in candidates if folder.is_dir()]

@@ -117,6 +117,7 @@ def simulate(
     until_s: float | None = None,
     drives: Literal["ideal", "simulated"] = "ideal",
     sensors: PathLike | None = None,
+    log: PathLike | None = None,
     columns: Columns = None,
     every: int = 1,
     check: bool = True,
@@ -136,6 +137,7 @@ def simulate(
         until_s: machine time after which the run ends, s; ``None``: until all channels are idle.
         drives: ``"ideal"``: axes are where their setpoints are; ``"simulated"``: those of the machine file.
         sensors: CSV of sensor values over machine time (``stanok simulate --sensors``).
+        log: a log to write besides, as ``stanok simulate --log``.
         columns: what is kept: names of :data:`~stanok.ALL_COLUMNS`, ``"all"``, or ``None``:
             :data:`~stanok.USUAL_COLUMNS`. The memory grows by 8 bytes for each number and cycle.
         every: keeps one cycle of so many.
@@ -162,6 +164,7 @@ def simulate(
         raise ValueError(f"drives is {drives!r}; give 'ideal' or 'simulated'")
     job.drives = drives == "simulated"
     job.sensors = "" if sensors is None else os.fspath(sensors)
+    job.log = "" if log is None else os.fspath(log)
     text, arrays = _native.simulate(read._native, job, column_names(columns), every)
     result = _simulation(read, json.loads(text), arrays)
     if check and not result.ok and not result.until_reached:

@@ -111,6 +111,14 @@ class Simulate(InFolder):
         texts = [(event.text, event.line, event.file) for event in stanok.simulate(MILL, program).events]
         self.assertIn(("half way", 2, "part.nc"), texts)
 
+    def test_a_log_is_that_of_the_command(self):
+        ours, theirs = self.folder / "ours.lcm", self.folder / "theirs.lcm"
+        command("simulate", EXAMPLES / "helix.nc", "--machine", MILL, "--log", theirs)
+        stanok.simulate(MILL, EXAMPLES / "helix.nc", log=ours)
+        self.assertEqual(ours.read_bytes(), theirs.read_bytes())
+        with self.assertRaisesRegex(RuntimeError, "nowhere"):
+            stanok.simulate(MILL, EXAMPLES / "helix.nc", log=self.folder / "nowhere" / "run.lcm")
+
     def test_an_array_outlives_its_simulation(self):
         position = stanok.simulate(MILL, EXAMPLES / "helix.nc")[1].position
         kept = position.copy()

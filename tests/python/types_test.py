@@ -11,7 +11,7 @@ import sys
 import unittest
 
 import stanok
-from stanok import _native, grinding
+from stanok import _native, cutting, grinding
 from surroundings import ROOT, InFolder
 
 PACKAGE = ROOT / "python" / "stanok"
@@ -55,7 +55,7 @@ class Types(InFolder):
 
 class Documentation(unittest.TestCase):
     def test_everything_public_is_documented(self):
-        for module in (stanok, grinding):
+        for module in (stanok, cutting, grinding):
             self.assertTrue(module.__doc__)
             for name in module.__all__:
                 thing = getattr(module, name)

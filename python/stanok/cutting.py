@@ -1,0 +1,147 @@
+"""What the log of a cut tells of spindle, material and machine: ``stanok process identify``.
+
+docs/programmer/identify.md has the models and what to record.
+"""
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _native
+from .programs import PathLike
+
+__all__ = ["Estimate", "GrindingCut", "TurningCut", "identify_grinding", "identify_turning"]
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A value, and the interval in which it lies with 95 % probability."""
+
+    value: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class TurningCut:
+    """A turning cut, a row for each cycle, and what it tells. ``report`` is what the command prints as JSON.
+
+    Every array is ``(n,)``; ``power_w`` is ``nan`` where the sensor showed nothing new.
+    """
+
+    report: dict[str, Any]
+    time_s: Floats
+    """s, from the begin of the log on."""
+    rev_per_min: Floats
+    """rev/min of the spindle."""
+    radius_mm: Floats
+    """mm, where the tool is."""
+    depth_mm: Floats
+    """mm, depth of the cut; 0: out of it."""
+    travel_mm: Floats
+    """mm, way of the tool at working feed in this cycle."""
+    power_w: Floats
+    """W, as the sensor showed it at the end of the cycle."""
+    fitted_w: Floats
+    """W, what the model says with the figures that were found."""
+
+    def estimate(self, name: str) -> Estimate:
+        """A figure of the report with its interval, as ``estimate("coefficient_over_efficiency_n")``."""
+        return _estimate(self.report, name)
+
+
+@dataclass(frozen=True)
+class GrindingCut:
+    """A plunge cycle out of a log, and what it tells; see :class:`TurningCut`."""
+
+    report: dict[str, Any]
+    process_text: str
+    """The process file with the figures that were found."""
+    time_s: Floats
+    """s, from the begin of the log on."""
+    x_mm: Floats
+    """mm, commanded; the part is touched at the allowance."""
+    power_w: Floats
+    """W, of the wheel's spindle; ``nan`` where the sensor showed nothing new."""
+    fitted_w: Floats
+    """W, what the model says with the figures that were found."""
+
+    def estimate(self, name: str) -> Estimate:
+        """A figure of the report with its interval, as ``estimate("stiffness_n_per_m")``."""
+        return _estimate(self.report, name)
+
+
+def identify_turning(
+    log: PathLike,
+    stock: Sequence[tuple[float, float]],
+    *,
+    channel: int = 1,
+    spindle: int = 1,
+    coefficient_n: float = 0.0,
+) -> TurningCut:
+    """Idle power, coefficient and exponent of the force, and lag of the sensor, from the log of a turning cut.
+
+    Args:
+        log: the log, with the power of the spindle.
+        stock: the bar before the cut in the frame of the program: from that Z on this radius, mm; Z falls.
+        channel: of the cut.
+        spindle: of the machine, from 1 on.
+        coefficient_n: C of the material, N at 1 mm depth and 1 mm per turn, where it is known: tells the efficiency.
+
+    Raises:
+        RuntimeError: what the log lacks.
+    """
+    pairs = [(float(z), float(radius)) for z, radius in stock]
+    text, arrays = _native.identify_turning(os.fspath(log), pairs, channel, spindle, coefficient_n)
+    return TurningCut(report=json.loads(text), **arrays)
+
+
+def identify_grinding(
+    log: PathLike,
+    process: PathLike,
+    *,
+    channel: int = 1,
+    spindle: int = 1,
+    touch_mm: float | None = None,
+    force_ratio: float = 0.4,
+    wheel_speed_m_per_s: float = 35.0,
+    efficiency: float = 0.85,
+) -> GrindingCut:
+    """Stiffness, coefficient and exponent of the force law from the log of a plunge cycle.
+
+    Args:
+        log: the log, with the power of the wheel's spindle.
+        process: process file: geometry, speed, mass and damping; the search begins at its other figures.
+        channel: of the cycle.
+        spindle: of the wheel, of the machine, from 1 on.
+        touch_mm: X of the program at which the wheel touches, mm; ``None``: the allowance.
+        force_ratio: tangential over normal force of the wheel, 0.05 to 2.
+        wheel_speed_m_per_s: surface speed of the wheel, 1 to 200 m/s.
+        efficiency: of the drive of the wheel, 0.1 to 1.
+
+    Raises:
+        RuntimeError: what the log lacks.
+    """
+    for name, value, low, high in (("force_ratio", force_ratio, 0.05, 2.0), ("efficiency", efficiency, 0.1, 1.0),
+                                   ("wheel_speed_m_per_s", wheel_speed_m_per_s, 1.0, 200.0)):
+        if not low <= value <= high:
+            raise ValueError(f"{name} is {value}; give {low:g} to {high:g}")
+    watts_per_newton = force_ratio * wheel_speed_m_per_s / efficiency
+    text, arrays, process_text = _native.identify_grinding(os.fspath(log), os.fspath(process), channel, spindle,
+                                                           touch_mm, watts_per_newton)
+    return GrindingCut(report=json.loads(text), process_text=process_text, **arrays)
+
+
+def _estimate(report: dict[str, Any], name: str) -> Estimate:
+    value = report[name]
+    if not isinstance(value, dict):
+        raise KeyError(f"{name!r} has no interval")
+    return Estimate(value["value"], value["low"], value["high"])
