@@ -10,9 +10,15 @@
 namespace stanok::python {
 
 // One for each call, made with the GIL held. Handlers of signals run in the main thread only; calls
-// in other threads are never interrupted.
+// in other threads are never interrupted, and do not ask: a thread that wants the GIL while the
+// interpreter ends is ended in the middle of what it does.
 class Interruption {
  public:
+  Interruption() {
+    const auto threading = pybind11::module_::import("threading");
+    is_in_main_thread_ = threading.attr("current_thread")().is(threading.attr("main_thread")());
+  }
+
   // Asked often, without the GIL. True: the call shall end.
   [[nodiscard]] std::function<bool()> asked() {
     return [this] { return has_come(); };
@@ -28,7 +34,7 @@ class Interruption {
   static constexpr std::chrono::milliseconds interval{100};
 
   [[nodiscard]] bool has_come() {
-    if (raised_) return true;
+    if (raised_ || !is_in_main_thread_) return raised_;
     const auto now = Clock::now();
     if (now < next_) return false;
     next_ = now + interval;
@@ -37,6 +43,7 @@ class Interruption {
     return raised_;
   }
 
+  bool is_in_main_thread_ = false;
   bool raised_ = false;
   Clock::time_point next_ = Clock::now() + interval;
 };

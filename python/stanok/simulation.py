@@ -159,7 +159,7 @@ def simulate(
     job.roots = search_roots([folder for _, _, folder in pairs], program_root)
     job.events = [_event_text(event) for event in events]
     job.schemes = list((schemes or {}).items())
-    job.until_s = -1.0 if until_s is None else _not_negative(until_s, "until_s")
+    job.until_s = -1.0 if until_s is None else _until(until_s)
     if drives not in ("ideal", "simulated"):
         raise ValueError(f"drives is {drives!r}; give 'ideal' or 'simulated'")
     job.drives = drives == "simulated"
@@ -175,10 +175,11 @@ def simulate(
     return result
 
 
-def _not_negative(value: float, name: str) -> float:
-    if not value >= 0.0:
-        raise ValueError(f"{name} is {value}; give a number from 0 on")
-    return float(value)
+def _until(until_s: float) -> float:
+    longest = 1e9
+    if not 0.0 <= until_s <= longest:
+        raise ValueError(f"until_s is {until_s}; give 0 to {longest:g} s, or None for no end")
+    return float(until_s)
 
 
 def _event_text(event: OperatorEvent | Mapping[str, Any]) -> str:

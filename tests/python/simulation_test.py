@@ -3,6 +3,8 @@
 import json
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -165,7 +167,7 @@ class Faults(InFolder):
     def test_wrong_arguments_are_value_errors_and_nothing_ends_the_interpreter(self):
         helix = EXAMPLES / "helix.nc"
         wrong = [dict(channel=9), dict(channel=-1), dict(schemes={1: 99}), dict(columns=["nothing"]), dict(every=0),
-                 dict(columns="some"), dict(until_s=-1.0), dict(until_s=float("nan")), dict(drives="none"),
+                 dict(columns="some"), dict(until_s=-1.0), dict(until_s=float("nan")), dict(until_s=float("inf")), dict(drives="none"),
                  dict(events=[{"cycle": 1}]), dict(events=[{"method": "nothing", "cycle": 1}]),
                  dict(events=[{"method": "override.feed", "cycle": "x", "params": {"percent": 1}}]),
                  dict(events=[{"method": "override.feed", "cycle": 1, "params": {"percent": 1e9}}]),
@@ -183,6 +185,20 @@ class Faults(InFolder):
             with self.subTest(str(machine)[:10]):
                 with self.assertRaises((ValueError, TypeError, stanok.StanokError)):
                     stanok.simulate(machine, helix)
+
+    def test_machine_files_of_any_bytes_end_nothing(self):
+        text = np.frombuffer((MACHINES / "trunnion.toml").read_bytes(), dtype=np.uint8)
+        random = np.random.default_rng(20260729)
+        for number in range(150):
+            damaged = text.copy()
+            damaged[random.integers(0, len(text), 3)] = random.integers(0, 256, 3)
+            path = self.folder / "machine.toml"
+            path.write_bytes(damaged.tobytes())
+            try:
+                machine = stanok.load_machine(path)
+                stanok.simulate(machine, EXAMPLES / "helix.nc", until_s=0.2, check=False)
+            except (stanok.StanokError, ValueError) as error:
+                self.assertTrue(str(error), number)
 
     def test_texts_of_any_bytes_end_nothing(self):
         seed = 20260726
@@ -213,6 +229,34 @@ class LongCalls(InFolder):
         thread.join()
         # With the lock held by the simulation this thread would have come a few times at most.
         self.assertGreater(steps, 1000)
+
+    def in_another_interpreter(self, script, *arguments):
+        """A script that may end its interpreter; what it says, and its exit code."""
+        return subprocess.run([sys.executable, "-c", script, *map(str, arguments)], capture_output=True, text=True,
+                              check=False, timeout=120, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+
+    def test_the_interpreter_ends_while_a_thread_simulates(self):
+        program = self.write("endless.nc", ENDLESS)
+        ended = self.in_another_interpreter(
+            "import stanok, sys, threading, time\n"
+            "thread = threading.Thread(target=lambda: stanok.simulate(*sys.argv[1:], columns=['line'], every=10**6),\n"
+            "                          daemon=True)\n"
+            "thread.start()\n"
+            "for _ in range(50): time.sleep(0.01)\n"
+            "assert thread.is_alive()\n", MILL, program)
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+
+    def test_where_memory_ends_an_exception_comes(self):
+        program = self.write("endless.nc", ENDLESS)
+        ended = self.in_another_interpreter(
+            "import resource, stanok, sys\n"
+            "now = next(int(line.split()[1]) * 1024 for line in open('/proc/self/status') if line.startswith('VmData'))\n"
+            "resource.setrlimit(resource.RLIMIT_DATA, (now + (200 << 20),) * 2)\n"
+            "try:\n"
+            "    stanok.simulate(*sys.argv[1:], columns='all')\n"
+            "except MemoryError:\n"
+            "    print(stanok.simulate(*sys.argv[1:], until_s=1.0).until_reached)\n", MILL, program)
+        self.assertEqual((ended.stdout, ended.returncode, ended.stderr), ("True\n", 0, ""))
 
     def test_two_threads_simulate_one_machine(self):
         machine = stanok.load_machine(MILL)

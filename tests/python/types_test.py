@@ -8,6 +8,7 @@ import inspect
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import stanok
@@ -17,18 +18,22 @@ from surroundings import ROOT, InFolder
 PACKAGE = ROOT / "python" / "stanok"
 
 
-def mypy(*arguments):
-    # The package lies in the PYTHONPATH as it is built; mypy reads its sources.
-    environment = {**os.environ, "MYPYPATH": os.environ["PYTHONPATH"]}
-    return subprocess.run([sys.executable, "-m", *map(str, arguments)], capture_output=True, text=True, check=False,
-                          env=environment)
-
-
 class Types(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.cache = folder.name
+
+    def judged(self, *arguments):
+        """What mypy says, reading the sources and not what is built."""
+        environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
+        environment.pop("PYTHONPATH")
+        return subprocess.run([sys.executable, "-m", "mypy", "--cache-dir", self.cache, *map(str, arguments)],
+                              capture_output=True, text=True, check=False, env=environment)
+
     def test_hints_are_sound(self):
-        environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-        ended = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", self.folder, PACKAGE],
-                               capture_output=True, text=True, check=False, env=environment)
+        ended = self.judged("--strict", PACKAGE)
         self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
 
     def test_a_wrong_use_is_found(self):
@@ -37,10 +42,7 @@ class Types(InFolder):
                             "reveal_type(result[1].position)\n"
                             "stanok.simulate('m.toml', 'p.nc', until='soon')\n"
                             "for part in stanok.read_log('run.lcm', chunk=5):\n    reveal_type(part)\n")
-        environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
-        environment.pop("PYTHONPATH")
-        ended = subprocess.run([sys.executable, "-m", "mypy", "--cache-dir", self.folder, script],
-                               capture_output=True, text=True, check=False, env=environment)
+        ended = self.judged("--strict", script)
         self.assertIn('Unexpected keyword argument "until"', ended.stdout)
         self.assertIn("numpy.dtype[numpy.floating", ended.stdout)
         self.assertIn('Revealed type is "stanok.setpoints.Setpoints"', ended.stdout)
@@ -49,7 +51,10 @@ class Types(InFolder):
         classes = [name for name, value in vars(_native).items() if inspect.isclass(value)]
         # pybind11 has a metaclass of its own, which no stub can name.
         known = self.write("known.txt", "".join(f"stanok._native.{name}\n" for name in classes))
-        ended = mypy("mypy.stubtest", "stanok._native", "--allowlist", known)
+        # The module lies in the PYTHONPATH as it is built; mypy reads the stub there.
+        ended = subprocess.run([sys.executable, "-m", "mypy.stubtest", "stanok._native", "--allowlist", known],
+                               capture_output=True, text=True, check=False,
+                               env={**os.environ, "MYPYPATH": os.environ["PYTHONPATH"]})
         self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
 
 
