@@ -1,4 +1,5 @@
-// What the log of a cut tells: `stanok process identify` for Python.
+// Cuts for Python: what their logs tell (`stanok process identify`), and up to which depth they do
+// not chatter (`stanok process lobes`).
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -12,6 +13,8 @@
 
 #include "client/offline/process/grind_fit_report.h"
 #include "client/offline/process/identify_report.h"
+#include "client/offline/process/lobes_report.h"
+#include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
 #include "protocol/json_text.h"
 #include "python/native/bindings.h"
@@ -103,6 +106,30 @@ py::tuple identify_grinding(const std::filesystem::path& file,
                         py::str(client::with_figures(text_of_file(process_file), fit)));
 }
 
+// The report, and the least depth that is not stable by speed.
+py::tuple lobes(const std::filesystem::path& file, const std::pair<double, double>& speeds,
+                int count, const std::vector<std::pair<double, double>>& cuts,
+                const std::string& method) {
+  client::LobesRequest request;
+  request.process = config::read_chatter_file(file);
+  request.speed_from = speeds.first;
+  request.speed_to = speeds.second;
+  request.count = count;
+  if (method == "semi-discretisation") request.method = client::LobesMethod::semi_discretisation;
+  for (const auto& [speed, depth_mm] : cuts)
+    request.programmed.push_back({.speed_rev_per_min = speed, .depth_mm = depth_mm});
+  client::LobesStudy study;
+  {
+    const py::gil_scoped_release others_run;
+    study = client::study_lobes(request);
+  }
+  py::dict arrays;
+  arrays["speed_rev_per_min"] = column_of(study.limits, &client::LimitAt::speed_rev_per_min);
+  arrays["depth_mm"] = column_of(study.limits, &client::LimitAt::depth_mm);
+  arrays["chatter_hz"] = column_of(study.limits, &client::LimitAt::chatter_hz);
+  return py::make_tuple(py::str(protocol::json_text(client::to_json(study))), arrays);
+}
+
 }  // namespace
 
 void bind_cutting(py::module_& module) {
@@ -111,6 +138,8 @@ void bind_cutting(py::module_& module) {
   module.def("identify_grinding", &identify_grinding, py::arg("log"), py::arg("process"),
              py::arg("channel"), py::arg("spindle"), py::arg("touch_mm"),
              py::arg("watts_per_newton"));
+  module.def("lobes", &lobes, py::arg("file"), py::arg("speeds"), py::arg("count"), py::arg("cuts"),
+             py::arg("method"));
 }
 
 }  // namespace stanok::python

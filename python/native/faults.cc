@@ -68,6 +68,7 @@ void raise(const char* exception_class, const ordered_json& faults) {
 }
 
 void register_faults(py::module_& /*module*/) {
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 asks for this signature
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(pointer);

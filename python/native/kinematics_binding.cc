@@ -95,17 +95,9 @@ class Kinematics {
     return py::make_tuple(results[0], results[1], results[2], results[3]);
   }
 
-  [[nodiscard]] std::vector<bool> taking_part() const {
-    std::vector<bool> list;
-    for (int axis = 0; axis < axis_count_; ++axis) list.push_back(scheme_->takes_part(axis));
-    return list;
-  }
-  [[nodiscard]] std::vector<bool> winding() const {
-    std::vector<bool> list;
-    for (int axis = 0; axis < axis_count_; ++axis)
-      list.push_back((scheme_->winding_axes() >> axis & 1U) != 0);
-    return list;
-  }
+  // Axes as bits: those that take part, those that the inverse leaves open by whole turns.
+  [[nodiscard]] unsigned taking_part() const { return scheme_->participants(); }
+  [[nodiscard]] unsigned winding() const { return scheme_->winding_axes(); }
   [[nodiscard]] std::string type() const { return scheme_->config().type; }
 
  private:

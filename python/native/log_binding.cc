@@ -70,7 +70,7 @@ std::string contents_text(const Log& log) {
 
 class SetpointCursor {
  public:
-  SetpointCursor(LogHandle log, int channel, std::vector<std::string> columns)
+  SetpointCursor(LogHandle log, int channel, const std::vector<std::string>& columns)
       : log_(std::move(log)),
         columns_(columns),
         reader_(value_or_raise(recording::LogReader::open(log_->file))) {

@@ -10,6 +10,10 @@ namespace {
 
 namespace py = pybind11;
 
+// The type of the member that a pointer leads to.
+template <class Value>
+std::type_identity<Value> member_of(Value setpoint_t::*);
+
 // The array takes the memory of the vector over.
 template <class Number>
 py::array owned(std::vector<Number> values, std::vector<py::ssize_t> shape) {
@@ -69,7 +73,7 @@ SetpointColumns::Values SetpointColumns::values_for(const Field& field) {
         if constexpr (std::is_same_v<Kind, Time>) {
           return std::vector<double>();
         } else {
-          using Member = std::remove_cvref_t<decltype(std::declval<setpoint_t>().*Kind())>;
+          using Member = typename decltype(member_of(Kind{}))::type;
           return std::vector<std::remove_all_extents_t<Member>>();
         }
       },
@@ -80,11 +84,9 @@ SetpointColumns::SetpointColumns(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto type = std::ranges::find(types(), name, &ColumnType::name);
     if (type == types().end()) {
-      std::string known;
-      for (const ColumnType& one : types())
-        known += (known.empty() ? "" : ", ") + std::string(one.name);
-      throw std::invalid_argument("there is no column '" + name + "' of setpoints; there are " +
-                                  known);
+      std::string fault = "there is no column '" + name + "' of setpoints; there are";
+      for (const ColumnType& one : types()) fault.append(" ").append(one.name);
+      throw std::invalid_argument(fault);
     }
     const bool is_twice =
         std::ranges::any_of(columns_, [&](const Column& column) { return column.type == &*type; });

@@ -8,6 +8,20 @@ libraries. Lengths are mm, angles deg, times s.
 >>> result = stanok.simulate("mill3.toml", "part.nc")
 >>> setpoints = result[1]                      # of channel 1
 >>> setpoints.time_s, setpoints.position       # (n,) s and (n, k) mm or deg
+
+============================================  ===========================================================
+:func:`simulate`                              programs on a virtual machine, setpoints of every cycle
+:func:`read_log`, :func:`open_log`            setpoints and events of a log, in pieces where it is long
+:func:`check`, :func:`interpret`              errors, feed laws and records of a program
+:class:`Kinematics`                           forward, inverse and derivatives of a machine's schemes
+:mod:`stanok.grinding`                        plunge grinding cycles: design, verification, studies, model
+:mod:`stanok.cutting`                         force constants and stiffness from the log of a cut
+:func:`connect`                               a client of a machine that runs
+:func:`load_machine`                          a machine file, read once for many calls
+:func:`example_machine`                       files that come with stanok; :func:`example_program`
+============================================  ===========================================================
+
+All errors derive from :class:`StanokError` and have code, place and remedy.
 """
 from __future__ import annotations
 

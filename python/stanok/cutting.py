@@ -1,6 +1,7 @@
-"""What the log of a cut tells of spindle, material and machine: ``stanok process identify``.
+"""Cuts: what their logs tell of spindle, material and machine, and up to which depth they do not chatter.
 
-docs/programmer/identify.md has the models and what to record.
+The functions of ``stanok process identify`` (docs/programmer/identify.md has the models and what to record) and
+``stanok process lobes`` (docs/programmer/chatter.md).
 """
 from __future__ import annotations
 
@@ -8,7 +9,7 @@ import json
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -16,7 +17,7 @@ import numpy.typing as npt
 from . import _native
 from .programs import PathLike
 
-__all__ = ["Estimate", "GrindingCut", "TurningCut", "identify_grinding", "identify_turning"]
+__all__ = ["Estimate", "GrindingCut", "Lobes", "TurningCut", "identify_grinding", "identify_turning", "lobes"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -77,6 +78,53 @@ class GrindingCut:
     def estimate(self, name: str) -> Estimate:
         """A figure of the report with its interval, as ``estimate("stiffness_n_per_m")``."""
         return _estimate(self.report, name)
+
+
+@dataclass(frozen=True)
+class Lobes:
+    """Stability lobes, a row for each speed. ``report`` is what the command prints as JSON. Every array is ``(n,)``."""
+
+    report: dict[str, Any]
+    speed_rev_per_min: Floats
+    """rev/min of the spindle; of the part in grinding."""
+    depth_mm: Floats
+    """mm, the least depth that is not stable; ``inf``: every depth is. Of grinding the width of the surface."""
+    chatter_hz: Floats
+    """Hz, of the vibration at that depth; 0: not known."""
+
+
+def lobes(
+    cut: PathLike,
+    speeds: tuple[float, float] = (1000.0, 20000.0),
+    *,
+    count: int = 800,
+    cuts: Sequence[tuple[float, float]] = (),
+    method: Literal["zeroth-order", "semi-discretisation"] = "zeroth-order",
+) -> Lobes:
+    """Depths of cut up to which a cut does not chatter, by speed: ``stanok process lobes``.
+
+    Args:
+        cut: the cut and the vibrations of tool and machine (TOML).
+        speeds: range in rev/min.
+        count: of speeds in the range, 2 to 100000.
+        cuts: planned cuts to judge: rev/min and depth in mm.
+        method: of solution.
+
+    Raises:
+        MachineFileError: faults of the file.
+    """
+    begin, end = (float(speed) for speed in speeds)
+    if not 0.0 < begin < end < 1e9:
+        raise ValueError(f"speeds are {begin} to {end}; give rising ones in rev/min")
+    if not 2 <= count <= 100_000:
+        raise ValueError(f"count is {count}; give 2 to 100000")
+    if method not in ("zeroth-order", "semi-discretisation"):
+        raise ValueError(f"method is {method!r}; give 'zeroth-order' or 'semi-discretisation'")
+    planned = [(float(speed), float(depth)) for speed, depth in cuts]
+    if not all(0.0 < value < 1e9 for pair in planned for value in pair):
+        raise ValueError("cuts: give speed and depth above 0 each")
+    text, arrays = _native.lobes(os.fspath(cut), (begin, end), count, planned, method)
+    return Lobes(report=json.loads(text), **arrays)
 
 
 def identify_turning(

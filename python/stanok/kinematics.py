@@ -88,12 +88,12 @@ class Kinematics:
     @property
     def taking_part(self) -> tuple[bool, ...]:
         """Which axes take part; the others pass through unchanged."""
-        return tuple(self._native.taking_part())
+        return self._set(self._native.taking_part())
 
     @property
     def winding(self) -> tuple[bool, ...]:
         """Axes that the inverse gives only up to whole turns of 360 deg."""
-        return tuple(self._native.winding())
+        return self._set(self._native.winding())
 
     def forward(self, axes: npt.ArrayLike) -> Floats:
         """Programmed points of machine axes: ``(n, k)`` or ``(k,)`` to the same shape; mm and deg."""
@@ -141,6 +141,9 @@ class Kinematics:
 
     def __repr__(self) -> str:
         return f"<Kinematics of channel {self._channel.id}: scheme {self._scheme}, {self.type}>"
+
+    def _set(self, bits: int) -> tuple[bool, ...]:
+        return tuple(bool(bits >> k & 1) for k in range(len(self._channel.axes)))
 
     def _rows(self, values: npt.ArrayLike, name: str) -> tuple[Floats, tuple[int, ...]]:
         array = np.ascontiguousarray(values, dtype=np.float64)

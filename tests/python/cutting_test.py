@@ -47,6 +47,24 @@ class Grinding(InFolder):
             cutting.identify_turning(log, STOCK)
 
 
+class Chatter(InFolder):
+    def test_lobes_are_those_of_the_command(self):
+        for name, speeds in (("slot_lobes.toml", (2000, 20000)), ("grinding_lobes.toml", (50, 400))):
+            for method in ("zeroth-order", "semi-discretisation")[:2 if name == "slot_lobes.toml" else 1]:
+                with self.subTest(f"{name} {method}"):
+                    text = command("process", "lobes", EXAMPLES / name, "--speeds", "{}:{}".format(*speeds), "--count",
+                                   12, "--method", method, "--json")
+                    found = cutting.lobes(EXAMPLES / name, speeds, count=12, method=method)
+                    self.assertEqual(found.report, json.loads(text))
+                    self.assertEqual(found.depth_mm.shape, (12,))
+
+    def test_a_deep_cut_chatters_and_a_shallow_one_does_not(self):
+        found = cutting.lobes(EXAMPLES / "slot_lobes.toml", (2000, 20000))
+        always = float(found.depth_mm.min())
+        judged = cutting.lobes(EXAMPLES / "slot_lobes.toml", (2000, 20000), cuts=[(9000, 0.9 * always), (9000, 1e3)])
+        self.assertEqual([cut["stable"] for cut in judged.report["cuts"]], [True, False])
+
+
 class Faults(InFolder):
     def test_wrong_arguments_are_errors(self):
         for stock in ([], [(0.0, -1.0)], [(0.0, 1.0), (0.0, 1.0)], [(0.0,)], "stock", None):
@@ -55,6 +73,13 @@ class Faults(InFolder):
         for arguments in (dict(force_ratio=0.0), dict(efficiency=2.0), dict(wheel_speed_m_per_s=float("nan"))):
             with self.assertRaises(ValueError):
                 cutting.identify_grinding("none.lcm", "none.toml", **arguments)
+        slot = EXAMPLES / "slot_lobes.toml"
+        for arguments in (dict(speeds=(5, 1)), dict(speeds=(0, 1)), dict(speeds=(1, 2, 3)), dict(count=1),
+                          dict(method="none"), dict(cuts=[(1.0, -1.0)]), dict(cuts=[1.0]), dict(count=10**9)):
+            with self.subTest(str(arguments)), self.assertRaises((ValueError, TypeError)):
+                cutting.lobes(slot, **arguments)
+        with self.assertRaises(stanok.MachineFileError):
+            cutting.lobes(self.write("wrong.toml", "kind = 5\n"))
         for channel, spindle in ((99, 1), (-1, 1), (1, 99), (1, 0), (1, -2**31)):
             log = self.folder / "cut.lcm"
             if not log.exists():

@@ -112,6 +112,13 @@ class AgainstMatrices(unittest.TestCase):
         second = (after - 2 * jets.position + before) / 1e-8
         np.testing.assert_allclose(jets.acceleration, second, rtol=1e-3, atol=1e-3)
 
+    def test_axes_that_take_part(self):
+        # mill5 and its like: all of them; three axes of e7106mf4: X Y Z, the rotary axes are parked.
+        self.assertEqual(stanok.Kinematics(TRUNNION).taking_part, (True,) * 5)
+        three = stanok.Kinematics(MACHINES / "e7106mf4.toml", scheme=1)
+        self.assertEqual(dict(zip(three.words, three.taking_part)),
+                         {word: word in "XYZ" for word in three.words})
+
     def test_forward_of_inverse_is_the_point(self):
         for mode in ("axes", "tip"):
             kinematics = stanok.Kinematics(TRUNNION, mode=mode, nose_to_tip=(0, 0, -60), offset={"X": 3.0, "C": 10.0})
