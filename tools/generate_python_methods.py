@@ -109,7 +109,8 @@ def text_of(methods):
         text += "    def __init__(self, call: Call) -> None:\n        self._call = call\n"
         for verb, method in verbs:
             text += "\n" + method_text(method, verb)
-    text += '\n\nclass Methods:\n    """Every method of the protocol: nouns as attributes, verbs as their methods."""\n\n'
+    text += '\n\nclass Methods:\n    """Every method of the protocol: nouns as attributes, verbs as their methods."""\n'
+    text += "\n"
     text += "    def __init__(self, call: Call) -> None:\n        self._call = call\n"
     for noun in nouns:
         text += f"        self.{noun} = {class_name(noun)}(call)\n"

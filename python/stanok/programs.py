@@ -50,7 +50,7 @@ def example_machine(name: str) -> Path:
 
 
 def example_program(name: str) -> Path:
-    """A program or process file that comes with stanok: ``example_program("helix.nc")``; ``ValueError``: there is none."""
+    """A program or process file that comes with stanok: ``example_program("helix.nc")``; ``ValueError``: none."""
     return _example(_coming_with_stanok("programs/examples", "examples"), name)
 
 

@@ -32,6 +32,7 @@ __all__ = ["Address", "Client", "Notification", "connect", "merged"]
 Address = Union[str, "os.PathLike[str]", tuple[str, int], None]
 
 _bytes_max = 64 << 20  # of a line: the daemon's are shorter by far
+_slice_s = 0.05  # of waiting for what the daemon tells unasked
 
 
 class Notification(collections.namedtuple("Notification", "method params")):
@@ -97,23 +98,21 @@ class Client(Methods):
             return result if isinstance(result, dict) else {"result": result}
 
     def notifications(self, timeout_s: float | None = None) -> Iterator[Notification]:
-        """What the daemon tells unasked, as it comes; ends when nothing came for ``timeout_s``."""
+        """What the daemon tells unasked, as it comes; ends when nothing came for ``timeout_s``.
+
+        Other threads may ask meanwhile.
+        """
         while True:
-            with self._lock:
-                if not self._notifications:
-                    message = self._receive(_deadline(timeout_s))
-                    if message is None:
-                        return
-                    self._keep(message)
-                if not self._notifications:
-                    continue
-                notification = self._notifications.popleft()
+            notification = self._next_notification(_deadline(timeout_s))
+            if notification is None:
+                return
             yield notification
 
     def events(self, timeout_s: float | None = None) -> Iterator[dict[str, Any]]:
-        """Alarms, warnings and messages as they come, each once: ``{"seq", "cycle", "channel", "code", "text", "line"}``.
+        """Alarms, warnings and messages as they come, each once.
 
-        Subscribes to them at the first one that is asked for; ends when nothing came for ``timeout_s``.
+        Each is ``{"seq", "cycle", "channel", "code", "text", "line"}``. Subscribes to them at the first one
+        that is asked for; ends when nothing came for ``timeout_s``.
         """
         self.call("subscribe", {"topics": ["events"]})
         for notification in self.notifications(timeout_s):
@@ -156,6 +155,20 @@ class Client(Methods):
             raise ConnectionLost("what answers at this address is no daemon of stanok")
         params: dict[str, Any] = message["params"]
         return params
+
+    def _next_notification(self, deadline: float | None) -> Notification | None:
+        """Waits in slices, between which other threads come to their turn; ``None``: not until the deadline."""
+        while True:
+            with self._lock:
+                if self._notifications:
+                    return self._notifications.popleft()
+                message = self._receive(_earlier(deadline, time.monotonic() + _slice_s))
+                if message is not None:
+                    self._keep(message)
+                    continue
+            if deadline is not None and time.monotonic() >= deadline:
+                return None
+            time.sleep(0.001)
 
     def _keep(self, message: dict[str, Any]) -> None:
         if "method" in message:
@@ -233,6 +246,10 @@ def merged(state: Any, change: Any) -> Any:
 
 def _deadline(timeout_s: float | None) -> float | None:
     return None if timeout_s is None else time.monotonic() + timeout_s
+
+
+def _earlier(deadline: float | None, other: float) -> float:
+    return other if deadline is None else min(deadline, other)
 
 
 def _fault(data: Mapping[str, Any], message: str = "") -> Fault:

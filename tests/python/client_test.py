@@ -38,9 +38,8 @@ class Relay:
         there, _ = self.listener.accept()
         here = socket.socket(socket.AF_UNIX)
         here.connect(self.path)
-        threads = [threading.Thread(target=self.copy, args=pair, daemon=True) for pair in ((there, here), (here, there))]
-        for thread in threads:
-            thread.start()
+        for pair in ((there, here), (here, there)):
+            threading.Thread(target=self.copy, args=pair, daemon=True).start()
 
     @staticmethod
     def copy(source, sink):
@@ -141,6 +140,14 @@ class WithDaemon(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(results, ["mill3"] * 80)
+
+    def test_a_thread_may_ask_while_another_waits_for_events(self):
+        heard = []
+        thread = threading.Thread(target=lambda: heard.extend(self.client.events(timeout_s=2.0)))
+        thread.start()
+        for _ in range(20):
+            self.assertEqual(self.client.machine.status()["name"], "mill3")
+        thread.join()
 
     def test_the_socket_is_found_as_stanok_finds_it(self):
         before = os.environ.get("STANOK_SOCKET")

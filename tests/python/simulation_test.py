@@ -167,7 +167,8 @@ class Faults(InFolder):
     def test_wrong_arguments_are_value_errors_and_nothing_ends_the_interpreter(self):
         helix = EXAMPLES / "helix.nc"
         wrong = [dict(channel=9), dict(channel=-1), dict(schemes={1: 99}), dict(columns=["nothing"]), dict(every=0),
-                 dict(columns="some"), dict(until_s=-1.0), dict(until_s=float("nan")), dict(until_s=float("inf")), dict(drives="none"),
+                 dict(columns="some"), dict(until_s=-1.0), dict(until_s=float("nan")), dict(until_s=float("inf")),
+                 dict(drives="none"),
                  dict(events=[{"cycle": 1}]), dict(events=[{"method": "nothing", "cycle": 1}]),
                  dict(events=[{"method": "override.feed", "cycle": "x", "params": {"percent": 1}}]),
                  dict(events=[{"method": "override.feed", "cycle": 1, "params": {"percent": 1e9}}]),
@@ -203,8 +204,8 @@ class Faults(InFolder):
     def test_texts_of_any_bytes_end_nothing(self):
         seed = 20260726
         random = np.random.default_rng(seed)
-        words = [b"G1 ", b"X", b"Y1", b"\n", b"(", b")", b"{", b"}", b"#", b"if", b"=", b"%", b"\xff", b"\x00", b"F1e9 ",
-                 b"M98 P1", b"G41", b"\"", b"1e400", b"-", b"O100\n", b"while (1)"]
+        words = [b"G1 ", b"X", b"Y1", b"\n", b"(", b")", b"{", b"}", b"#", b"if", b"=", b"%", b"\xff", b"\x00",
+                 b"F1e9 ", b"M98 P1", b"G41", b"\"", b"1e400", b"-", b"O100\n", b"while (1)"]
         for number in range(150):
             text = b"".join(words[k] for k in random.integers(0, len(words), 40))
             path = self.folder / "any.nc"
@@ -250,7 +251,8 @@ class LongCalls(InFolder):
         program = self.write("endless.nc", ENDLESS)
         ended = self.in_another_interpreter(
             "import resource, stanok, sys\n"
-            "now = next(int(line.split()[1]) * 1024 for line in open('/proc/self/status') if line.startswith('VmData'))\n"
+            "status = open('/proc/self/status')\n"
+            "now = next(int(line.split()[1]) << 10 for line in status if line.startswith('VmData'))\n"
             "resource.setrlimit(resource.RLIMIT_DATA, (now + (200 << 20),) * 2)\n"
             "try:\n"
             "    stanok.simulate(*sys.argv[1:], columns='all')\n"
@@ -273,7 +275,8 @@ class LongCalls(InFolder):
         self.assertTrue(same_bits(results[0][1].position, results[1][1].position))
 
     def test_ctrl_c_ends_a_simulation(self):
-        for text in (ENDLESS, "num turns = 0;\nwhile (true) { turns = turns + 1; }\n"):  # moves for ever, computes for ever
+        computes = "num turns = 0;\nwhile (true) { turns = turns + 1; }\n"
+        for text in (ENDLESS, computes):
             program = self.write("endless.nc", text)
             timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
             timer.start()
