@@ -1,8 +1,10 @@
 // Actions of straight motion, and the parts that all motions share.
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "lang/actions/actions.h"
-#include "lang/orientation/tool_orientation.h"
+#include "lang/orientation/great_circle.h"
 
 namespace stanok::lang {
 namespace {
@@ -31,8 +33,9 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
 }
 
 // I, J, K beside G0 and G1 are the direction of the tool at the end of the move under G43.5, and
-// nothing elsewhere.
-void turn_to_vector(ActiveBlock& block, Move& move) {
+// nothing elsewhere. A move at feed turns the tool on the great circle, in parts; rapid travel, and
+// a line that a chamfer or rounding cuts, turn the axes evenly. None: the block has failed.
+std::vector<TurnedPart> turn_to_vector(ActiveBlock& block, Move& move) {
   const ModalState& modal = block.modal;
   const char letter = block.has('I') ? 'I' : block.has('J') ? 'J' : 'K';
   if (modal.code(Group::length) != g(43, 5)) {
@@ -40,30 +43,57 @@ void turn_to_vector(ActiveBlock& block, Move& move) {
         .fail("E4003", {letter, -1, {}}, std::string("nothing in this block uses `") + letter + "`",
               "unused word")
         .help.emplace_back("arcs are G2 and G3; a vector of the tool needs `G43.5`");
-    return;
+    return {};
   }
   if (excluded_by_mode(block, g(43, 5),
                        {Exclusion::own_rotation, Exclusion::scaling, Exclusion::mirror})) {
-    return;
+    return {};
   }
   const auto direction = vector_of_block(block);
-  if (!direction) return;
+  if (!direction) return {};
   const Rotation frame_B = modal.frames.work_offset_rotation * modal.frames.plane.rotation;
   OrientationWish wish{.word = {letter, -1, {}},
                        .purpose = "turn the tool to",
                        .said_by = Group::length,
                        .remedy = "clamp the workpiece otherwise, or lean the tool less"};
   wish.tool_B = components(frame_B.turned(vector3(*direction)));
-  const auto found = reachable_angles(block, wish);
-  if (!found) return;
-  if ((block.programmed & found->axes) != 0) {
+  const bool turns_evenly = move.kind == MoveKind::rapid || block.end.corner.wanted();
+  std::vector<TurnedPart> parts;
+  if (turns_evenly) {
+    if (const auto found = reachable_angles(block, wish)) parts.push_back({1.0, *found});
+  } else if (auto found = great_circle(block, wish)) {
+    parts = std::move(*found);
+  }
+  if (parts.empty()) return {};
+  const Alignment& end = parts.back().alignment;
+  if ((block.programmed & end.axes) != 0) {
     block
         .fail("E4355", {letter, -1, {}},
               "the angles of the rotary axes follow from the tool vector", "and a rotary axis")
         .help.emplace_back("leave the words of the rotary axes out");
-    return;
+    return {};
   }
-  turn_axes(block, *found, move);
+  turn_axes(block, end, move);
+  return parts;
+}
+
+// The parts of a move but the last one, which is what remains of `move`.
+void emit_parts(ActiveBlock& block, const std::vector<TurnedPart>& parts, Move& move) {
+  const Move whole = move;
+  const AxisValues& start = block.modal.position_W;
+  const bool inverse_time = move.feed_mode == FeedMode::inverse_time;
+  double done = 0.0;
+  for (const TurnedPart& turned : parts) {
+    if (inverse_time) move.feed = whole.feed / (turned.part - done);
+    if (&turned == &parts.back()) break;
+    Move part = move;
+    part.stop_at_end = false;
+    for (std::size_t k = 0; k < part.end.size(); ++k)
+      part.end[k] = start[k] + turned.part * (whole.end[k] - start[k]);
+    turn_axes(block, turned.alignment, part);
+    block.queue.emit(part);
+    done = turned.part;
+  }
 }
 
 }  // namespace
@@ -164,10 +194,12 @@ void move_straight(ActiveBlock& block, CodeNumber code) {
   Move move;
   move.kind = code == g(0) ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);
-  if (has_vector) turn_to_vector(block, move);
+  std::vector<TurnedPart> parts;
+  if (has_vector) parts = turn_to_vector(block, move);
   if (block.failed()) return;
   resolve_feed(block, move);
   if (block.failed()) return;
+  emit_parts(block, parts, move);
   advance_position(block, move);
   block.queue.emit(move);
 }

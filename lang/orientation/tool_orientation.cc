@@ -70,9 +70,14 @@ void fail_out_of_reach(ActiveBlock& block, const OrientationWish& wish, const Al
 }  // namespace
 
 std::optional<Alignment> reachable_angles(ActiveBlock& block, const OrientationWish& wish) {
+  return reachable_angles(block, wish, block.modal.frame().base_from_work(block.modal.position_W));
+}
+
+std::optional<Alignment> reachable_angles(ActiveBlock& block, const OrientationWish& wish,
+                                          const AxisValues& from_B) {
   AlignmentWish asked;
   asked.tool_B = wish.tool_B;
-  asked.from_B = block.modal.frame().base_from_work(block.modal.position_W);
+  asked.from_B = from_B;
   asked.first = wish.first;
   const Alignment found = block.tables.alignment(asked);
   switch (found.outcome) {

@@ -29,6 +29,10 @@ struct OrientationWish {
 // Angles of the rotary axes, from where the block begins; nothing: the block has failed.
 [[nodiscard]] std::optional<Alignment> reachable_angles(ActiveBlock& block,
                                                         const OrientationWish& wish);
+// The same from where the axes stand in B.
+[[nodiscard]] std::optional<Alignment> reachable_angles(ActiveBlock& block,
+                                                        const OrientationWish& wish,
+                                                        const AxisValues& from_B);
 
 // I, J and K of the block as a direction from the tip into the spindle, in the frame of the
 // programmed coordinates and with any length above 0; nothing: the block has failed (E4355).
