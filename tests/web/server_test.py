@@ -37,12 +37,17 @@ class WithServer(unittest.TestCase):
         self.write("page/index.html", "<p>the page")
         self.write("page/assets/index-1a2b3c4d.js", "let x;")
         self.write("secret.txt", "not for others")
+        manual = os.path.join(self.folder, "docs")
+        os.makedirs(os.path.join(manual, "operator"))
+        self.write("docs/README.md", "# Documents")
+        self.write("docs/operator/panel.md", "# The page")
+        os.symlink(os.path.join(self.folder, "secret.txt"), os.path.join(manual, "linked.md"))
         os.symlink(os.path.join(self.folder, "secret.txt"), os.path.join(page, "linked.txt"))
         with gzip.open(os.path.join(page, "assets/index-1a2b3c4d.js.gz"), "wb") as compressed:
             compressed.write(b"let x;")
         path = os.path.join(self.folder, "op.sock")
         self.daemon = stack.enter_context(FakeDaemon(path))
-        self.web = stack.enter_context(running_web(STANOK_WEB, self.folder, path, *self.start_options(),
+        self.web = stack.enter_context(running_web(STANOK_WEB, self.folder, path, "--manual", manual, *self.start_options(),
                                                    error=subprocess.DEVNULL))
         self.browser = Browser(self.web)
 
@@ -74,6 +79,15 @@ class Files(WithServer):
         self.assertEqual(small.fields["content-encoding"], "gzip")
         self.assertEqual(small.fields["content-type"], "text/javascript; charset=utf-8")
         self.assertEqual(gzip.decompress(small.content), b"let x;")
+
+    def test_documents_are_sent_as_text_and_nothing_beside_them(self):
+        answer = self.browser.request("GET", "/manual/operator/panel.md")
+        self.assertEqual((answer.status, answer.content), (200, b"# The page"))
+        self.assertEqual(answer.fields["content-type"], "text/plain; charset=utf-8")
+        self.assertEqual(self.browser.request("GET", "/manual/").content, b"# Documents")
+        for path in ("/manual/linked.md", "/manual/../secret.txt", "/manual/%2e%2e/secret.txt", "/manual//etc/passwd",
+                     "/manual/operator", "/manual", "/operator/panel.md"):
+            self.assertEqual(self.browser.request("GET", path).status, 404, path)
 
     def test_a_head_has_no_content(self):
         answer = self.browser.request("HEAD", "/")

@@ -49,16 +49,28 @@ fs::file_time_type time_of(const fs::path& file) {
   return error ? fs::file_time_type{} : time;
 }
 
+// A folder of the installation, else of the source tree of a build.
+fs::path beside_the_program(const char* installed, const char* in_the_tree) {
+  std::error_code ignored;
+  const fs::path programs = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const char* candidate : {installed, in_the_tree}) {
+    const fs::path folder = (programs / candidate).lexically_normal();
+    if (fs::is_directory(folder, ignored)) return folder;
+  }
+  return (programs / installed).lexically_normal();
+}
+
 }  // namespace
 
-PageFiles::PageFiles(fs::path folder) : folder_(std::move(folder)) {
+PageFiles::PageFiles(fs::path folder, std::string_view front)
+    : folder_(std::move(folder)), front_('/' + std::string(front)) {
   read();
 }
 
 void PageFiles::read() {
   files_.clear();
   bytes_ = 0;
-  read_at_ = time_of(folder_ / "index.html");
+  read_at_ = time_of(folder_ / front_.substr(1));
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator(folder_, error);
        !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
@@ -82,22 +94,19 @@ void PageFiles::add(const fs::path& file) {
 }
 
 const PageFile* PageFiles::find(std::string_view path) {
-  if (path == "/") path = "/index.html";
-  if (path == "/index.html" && time_of(folder_ / "index.html") != read_at_) read();
+  if (path == "/") path = front_;
+  if (path == front_ && time_of(folder_ / front_.substr(1)) != read_at_) read();
   const auto found = files_.find(path);
   // Compressed files alone are none.
   return found == files_.end() || found->second.content == nullptr ? nullptr : &found->second;
 }
 
 fs::path usual_page_folder() {
-  std::error_code ignored;
-  const fs::path binary = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path programs = binary.parent_path();
-  for (const char* candidate : {"../share/stanok/panel", "../../../panel/dist"}) {
-    const fs::path folder = (programs / candidate).lexically_normal();
-    if (fs::is_directory(folder, ignored)) return folder;
-  }
-  return (programs / "../share/stanok/panel").lexically_normal();
+  return beside_the_program("../share/stanok/panel", "../../../panel/dist");
+}
+
+fs::path usual_manual_folder() {
+  return beside_the_program("../share/doc/stanok/docs", "../../../docs");
 }
 
 }  // namespace stanok::web

@@ -1,7 +1,8 @@
-// PageFiles: the files of the page, read into memory, so that a request can name nothing else.
+// PageFiles: the files of the page or of its manual, read into memory, so that a request can name
+// nothing else.
 //
-// A file NAME.gz beside NAME is sent to those who take it. Read again when index.html has changed,
-// so that a page that was built anew is there on reload. One thread.
+// A file NAME.gz beside NAME is sent to those who take it. Read again when the front file is asked
+// for and has changed, so that a page that was built anew is there on reload. One thread.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +24,8 @@ class PageFiles {
  public:
   static constexpr std::uintmax_t bytes_max = 64U << 20;  // of all files
 
-  explicit PageFiles(std::filesystem::path folder);
+  // `front`: the file with which everything else begins.
+  PageFiles(std::filesystem::path folder, std::string_view front);
 
   // By the path of a request: "/", "/assets/index-1a2b3c4d.js"; nullptr: there is none.
   [[nodiscard]] const PageFile* find(std::string_view path);
@@ -34,12 +36,15 @@ class PageFiles {
   void add(const std::filesystem::path& file);
 
   std::filesystem::path folder_;
-  std::filesystem::file_time_type read_at_{};  // time of index.html then
+  std::string front_;                          // "/index.html"
+  std::filesystem::file_time_type read_at_{};  // time of the front file then
   std::uintmax_t bytes_ = 0;
   std::map<std::string, PageFile, std::less<>> files_;
 };
 
 // Where the page is when nobody says: of the installation, else of the source tree of a build.
 [[nodiscard]] std::filesystem::path usual_page_folder();
+// The same of the documents.
+[[nodiscard]] std::filesystem::path usual_manual_folder();
 
 }  // namespace stanok::web

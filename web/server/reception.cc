@@ -15,6 +15,8 @@ namespace asio = boost::asio;
 using boost::beast::http::verb;
 using nlohmann::json;
 
+constexpr std::string_view manual_prefix = "/manual/";
+
 std::string_view field_of(const Request& request, Field name) {
   const auto value = request[name];
   return {value.data(), value.size()};
@@ -34,6 +36,18 @@ bool takes_gzip(const Request& request) {
   return field_of(request, Field::accept_encoding).find("gzip") != std::string_view::npos;
 }
 
+// What a file is sent as to who asks for it so.
+Answer answer_of(const PageFile& file, const Request& request) {
+  Answer answer{.media_type = file.media_type, .content = file.content};
+  const auto* lifetime = file.is_hashed ? "public, max-age=31536000, immutable" : "no-cache";
+  answer.fields = {{Field::cache_control, lifetime}, {Field::vary, "Accept-Encoding"}};
+  if (file.compressed != nullptr && takes_gzip(request)) {
+    answer.content = file.compressed;
+    answer.fields.emplace_back(Field::content_encoding, "gzip");
+  }
+  return answer;
+}
+
 }  // namespace
 
 std::string_view path_of(const Request& request) {
@@ -41,9 +55,10 @@ std::string_view path_of(const Request& request) {
   return target.substr(0, target.find('?'));
 }
 
-Reception::Reception(PageFiles& page, Authentication& authentication, DaemonProbe& machine,
-                     const OwnNames& names)
+Reception::Reception(PageFiles& page, PageFiles& manual, Authentication& authentication,
+                     DaemonProbe& machine, const OwnNames& names)
     : page_(page),
+      manual_(manual),
       authentication_(authentication),
       machine_(machine),
       names_(names),
@@ -66,7 +81,8 @@ asio::awaitable<Answer> Reception::answer(const Request& request, asio::ip::addr
   if (!reads_only(request)) co_return not_allowed("GET, HEAD");
   if (path == "/api/openrpc.json") co_return methods_;
   if (path == "/health") co_return co_await health();
-  co_return file(request);
+  if (path.starts_with(manual_prefix)) co_return manual_file(request);
+  co_return page_file(request);
 }
 
 asio::awaitable<Answer> Reception::answer_session(const Request& request, asio::ip::address from) {
@@ -108,23 +124,20 @@ asio::awaitable<Answer> Reception::health() {
   co_return json_answer(Status::ok, {{"status", "ok"}, {"daemon", answers}});
 }
 
-Answer Reception::file(const Request& request) {
-  const PageFile* file = page_.find(path_of(request));
-  if (file == nullptr) {
-    const bool is_page = path_of(request) == "/";
-    return text_answer(Status::not_found, is_page
-                                              ? "there is no page in " + page_.folder().string() +
-                                                    "; --page names its folder\n"
-                                              : "there is no such file\n");
-  }
-  Answer answer{.media_type = file->media_type, .content = file->content};
-  const auto* lifetime = file->is_hashed ? "public, max-age=31536000, immutable" : "no-cache";
-  answer.fields = {{Field::cache_control, lifetime}, {Field::vary, "Accept-Encoding"}};
-  if (file->compressed != nullptr && takes_gzip(request)) {
-    answer.content = file->compressed;
-    answer.fields.emplace_back(Field::content_encoding, "gzip");
-  }
-  return answer;
+Answer Reception::page_file(const Request& request) {
+  if (const PageFile* file = page_.find(path_of(request))) return answer_of(*file, request);
+  if (path_of(request) != "/") return text_answer(Status::not_found, "there is no such file\n");
+  return text_answer(Status::not_found, "there is no page in " + page_.folder().string() +
+                                            "; --page names its folder\n");
+}
+
+Answer Reception::manual_file(const Request& request) {
+  // With the slash before the name, as files are known by.
+  const auto name = path_of(request).substr(manual_prefix.size() - 1);
+  if (const PageFile* file = manual_.find(name)) return answer_of(*file, request);
+  return text_answer(Status::not_found, "there is no such document in " +
+                                            manual_.folder().string() +
+                                            "; --manual names the folder of the documents\n");
 }
 
 }  // namespace stanok::web

@@ -1,5 +1,5 @@
-// Reception: answers every request but that for a WebSocket: files of the page, sessions, the
-// method table, health.
+// Reception: answers every request but that for a WebSocket: files of the page and of its manual,
+// sessions, the method table, health.
 //
 // One thread.
 #pragma once
@@ -20,8 +20,8 @@ namespace stanok::web {
 class Reception {
  public:
   // All outlive the reception.
-  Reception(PageFiles& page, Authentication& authentication, DaemonProbe& machine,
-            const OwnNames& names);
+  Reception(PageFiles& page, PageFiles& manual, Authentication& authentication,
+            DaemonProbe& machine, const OwnNames& names);
 
   // Why the request is not for this server, or comes from the page of another one.
   [[nodiscard]] std::optional<Answer> obstacle(const Request& request) const;
@@ -36,9 +36,11 @@ class Reception {
                                                              boost::asio::ip::address from);
   [[nodiscard]] boost::asio::awaitable<Answer> describe_session(const Request& request);
   [[nodiscard]] boost::asio::awaitable<Answer> health();
-  [[nodiscard]] Answer file(const Request& request);
+  [[nodiscard]] Answer page_file(const Request& request);
+  [[nodiscard]] Answer manual_file(const Request& request);
 
   PageFiles& page_;
+  PageFiles& manual_;
   Authentication& authentication_;
   DaemonProbe& machine_;
   const OwnNames& names_;

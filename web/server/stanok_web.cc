@@ -39,6 +39,9 @@ void add_options(CLI::App& app, CommandLine& given) {
       ->type_name("PATH");
   app.add_option("--page", given.options.page, "folder of the page; default: the installed one")
       ->type_name("FOLDER");
+  app.add_option("--manual", given.options.manual,
+                 "folder of the documents that the page shows; default: the installed ones")
+      ->type_name("FOLDER");
   app.add_option("--name", given.options.names,
                  "a name by which browsers may call this server; may be given again")
       ->type_name("HOST");
@@ -56,6 +59,7 @@ WebOptions complete(CommandLine given) {
   WebOptions options = std::move(given.options);
   options.listen = *endpoint;
   if (options.page.empty()) options.page = stanok::web::usual_page_folder();
+  if (options.manual.empty()) options.manual = stanok::web::usual_manual_folder();
   const auto socket = stanok::protocol::chosen_socket(options.socket);
   if (!socket) throw UsageError(socket.error());
   options.socket = *socket;

@@ -20,6 +20,7 @@ struct WebOptions {
   std::filesystem::path socket;       // of the daemon
   std::filesystem::path link_socket;  // where links are given out
   std::filesystem::path page;
+  std::filesystem::path manual;           // the documents that the page shows; may be missing
   std::filesystem::path users;            // empty: none
   std::filesystem::path tls_certificate;  // empty: no TLS
   std::filesystem::path tls_key;

@@ -76,6 +76,7 @@ struct WebServer::Parts {
   std::string address;
   OwnNames names;
   PageFiles page;
+  PageFiles manual;
   Authentication authentication;
   DaemonProbe machine;
   Reception reception;
@@ -90,11 +91,12 @@ WebServer::Parts::Parts(const WebOptions& options)
       scheme(tls ? Scheme::https : Scheme::http),
       address((tls ? "https://" : "http://") + text_of(acceptor.local_endpoint())),
       names(own_names(options, scheme)),
-      page(options.page),
+      page(options.page, "index.html"),
+      manual(options.manual, "README.md"),
       authentication(scheme, options.users,
                      [this](const auto& sessions) { connections.end_relays_of(sessions); }),
       machine(options.socket),
-      reception(page, authentication, machine, names),
+      reception(page, manual, authentication, machine, names),
       services{.scheme = scheme,
                .reception = reception,
                .authentication = authentication,
