@@ -55,6 +55,12 @@ async function findings(page) {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' | ')}`);
 }
 
+/** To be looked at, in the folder $STANOK_PICTURES. */
+async function picturesOf(page, name) {
+  const folder = process.env.STANOK_PICTURES;
+  if (folder) await page.screenshot({ path: join(folder, `${name}.png`) });
+}
+
 /** What is wrong with the sizes of what is in view, as sentences. */
 function measure() {
   const wrong = [];
@@ -421,6 +427,55 @@ describe('what is not saved', () => {
     await page.keyboard.type('G4 ');
     await page.getByRole('heading', { name: /changed/ }).waitFor();
     assert.ok(await page.getByRole('button', { name: 'Save' }).isDisabled());
+    await page.context().close();
+  });
+});
+
+describe('the manual', () => {
+  for (const [width, height, locale] of [
+    [360, 640, 'ru-RU'],
+    [1280, 800, 'en-US'],
+    [3840, 2160, 'en-US'],
+  ]) {
+    test(`is read and found in, ${width} x ${height}, ${locale}`, async () => {
+      const page = await stage.openMachine({ width, height, locale });
+      await show(page, 'help');
+      await page.locator('a[href="#/help/manual%2F"]').click();
+      const document = page.locator('article');
+      await document.getByRole('heading', { name: 'Documents' }).waitFor();
+      await document.getByRole('link', { name: 'What the page shows' }).click();
+      await document.getByRole('heading', { name: 'On every view' }).waitFor();
+      const picture = document.locator('img').first();
+      await picture.scrollIntoViewIfNeeded();
+      await until('the picture', () => picture.evaluate(({ naturalWidth }) => naturalWidth > 0));
+      assert.deepEqual(await findings(page), []);
+      assert.deepEqual(await page.evaluate(measure), []);
+      await stopsAreInTheirCorner(page, width);
+      await picturesOf(page, `manual-${width}`);
+      await page.locator('input[type=search]').fill('tunnel another computer');
+      const found = page.getByRole('link', { name: 'The page › Opening it' });
+      await found.waitFor();
+      assert.deepEqual(await findings(page), []);
+      assert.deepEqual(await page.evaluate(measure), []);
+      await picturesOf(page, `found-${width}`);
+      await found.focus();
+      await page.keyboard.press('Enter');
+      const heading = document.getByRole('heading', { name: 'Opening it' });
+      await until('the heading has the focus', () =>
+        heading.evaluate((one) => one.ownerDocument.activeElement === one),
+      );
+      await page.context().close();
+    });
+  }
+
+  test('a page of it that is not there says so', async () => {
+    const page = await stage.openMachine();
+    await page.evaluate(() => (location.hash = '#/help/manual%2Fno%2Fsuch.md'));
+    await page.getByText('This page of the manual is not here').waitFor();
+    assert.deepEqual(await findings(page), []);
+    // The browser writes it on the console, too.
+    await until('it was told', () => stage.faults.length > 0);
+    assert.match(stage.faults.pop(), /404/);
     await page.context().close();
   });
 });
