@@ -329,6 +329,7 @@ export class PathScene {
       this.#renderer.render(this.#scene, this.#camera);
       this.#pictures += 1;
       this.canvas.dataset['pictures'] = String(this.#pictures);
+      this.canvas.dataset['drawn'] = String(this.planned.count);
     });
   }
 
