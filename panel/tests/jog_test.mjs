@@ -244,6 +244,46 @@ test('a server that hangs: the axis stops, and does not go on when it comes back
   await page.mouse.up();
 });
 
+test('one hand on a touch screen: an axis moves while a finger is down, and on nothing else', async () => {
+  const other = await stage.openMachine({
+    width: 360,
+    height: 640,
+    hasTouch: true,
+    isMobile: true,
+  });
+  await other.getByRole('button', { name: 'Arm' }).tap();
+  const button = other.getByRole('button', { name: 'move X +' });
+  await button.scrollIntoViewIfNeeded();
+  const box = await button.boundingBox();
+  assert.ok(box.width >= 44 && box.height >= 44, `${box.width} x ${box.height} px`);
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const cdp = await other.context().newCDPSession(other);
+  const touch = (type, ...touchPoints) =>
+    cdp.send('Input.dispatchTouchEvent', { type, touchPoints });
+  for (const [what, end] of [
+    ['the finger goes', () => touch('touchEnd')],
+    ['the system takes the finger', () => touch('touchCancel')],
+    // A thumb that rolls does not end it: it has gone when it is lifted.
+    [
+      'the finger slides off and goes',
+      async () => {
+        await touch('touchMove', { x, y: y - 200 });
+        await touch('touchEnd');
+      },
+    ],
+  ]) {
+    const from = await rests();
+    await touch('touchStart', { x, y });
+    await moves(from);
+    await end();
+    const stands = await rests();
+    assert.equal(await rests(), stands, what);
+  }
+  // Nothing was scrolled under the thumb.
+  assert.equal((await button.boundingBox()).y, box.y);
+  await other.context().close();
+});
+
 test('a killed tab stops', async (context) => {
   const other = await stage.openMachine();
   await other.getByRole('button', { name: 'Arm' }).click();
