@@ -40,5 +40,8 @@ stanok_dependency(lcm          PKGCONFIG lcm)
 stanok_dependency(zlib         PKGCONFIG zlib)
 stanok_dependency(modbus       PKGCONFIG libmodbus)
 stanok_dependency(tomlplusplus PKGCONFIG tomlplusplus)
+stanok_dependency(sqlite       PKGCONFIG sqlite3)
+stanok_dependency(postgres     PKGCONFIG libpq)
+stanok_dependency(mosquitto    PKGCONFIG libmosquitto)
 stanok_dependency(fast_float)
 stanok_dependency(kissfft)  # one header

@@ -1,7 +1,7 @@
 # What `cmake --install` puts where, and the Debian package (`cpack --config build/release/CPackConfig.cmake`).
 include(GNUInstallDirs)
 
-# Four programs are installed; tests and benchmarks need not be built for it.
+# Five programs are installed; tests and benchmarks need not be built for it.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/programs/cycles ${CMAKE_SOURCE_DIR}/programs/examples
@@ -17,6 +17,7 @@ install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/SECURITY.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES ${CMAKE_SOURCE_DIR}/packaging/stanokd@.service ${CMAKE_SOURCE_DIR}/packaging/stanok-web@.service
+              ${CMAKE_SOURCE_DIR}/packaging/stanok-gateway.service
         DESTINATION lib/systemd/system)
 install(FILES ${CMAKE_SOURCE_DIR}/packaging/stanok.sysusers
         DESTINATION lib/sysusers.d RENAME stanok.conf)
@@ -34,15 +35,16 @@ install(CODE "
                     COMMAND_ERROR_IS_FATAL ANY)
   endforeach()")
 
-# So do its manual pages; those of the other three are written by hand, tests/manual_test.sh compares their options.
+# So do its manual pages; those of the other four are written by hand, tests/manual_test.sh compares their options.
 install(CODE "
   set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
   execute_process(COMMAND $<TARGET_FILE:stanok> manual \"\${folder}\" COMMAND_ERROR_IS_FATAL ANY)")
 set(manual_pages ${CMAKE_BINARY_DIR}/man)
-foreach(page stanokd.8 stanok-web.8 stanok-drives.1)
+foreach(page stanokd.8 stanok-web.8 stanok-gateway.8 stanok-drives.1)
   configure_file(${CMAKE_SOURCE_DIR}/packaging/man/${page}.in ${manual_pages}/${page} @ONLY)
 endforeach()
-install(FILES ${manual_pages}/stanokd.8 ${manual_pages}/stanok-web.8 DESTINATION ${CMAKE_INSTALL_MANDIR}/man8)
+install(FILES ${manual_pages}/stanokd.8 ${manual_pages}/stanok-web.8 ${manual_pages}/stanok-gateway.8
+        DESTINATION ${CMAKE_INSTALL_MANDIR}/man8)
 install(FILES ${manual_pages}/stanok-drives.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 # The Python package goes into a package of its own, where it was built.

@@ -141,9 +141,9 @@ constexpr auto program_rows = std::to_array<Method>({
      .parameters = of_channel,
      .help = "program runs since the daemon started, with blocks and times, the newest 500 of each "
              "channel",
-     .result = R"({"runs":[{"channel":"integer","program":"string","blocks":"integer",
-      "time_s":"number","path_mm":"number","ended":"boolean","ok":"boolean"}],
-      "forgotten?":"integer"})"},
+     .result = R"({"runs":[{"channel":"integer","number":"integer","program":"string",
+      "begun_cycle":"integer","ended_cycle":"integer?","blocks":"integer","time_s":"number","path_mm":"number",
+      "ended":"boolean","ok":"boolean"}],"forgotten?":"integer"})"},
     {.name = "program.search",
      .role = machine_operator,
      .effect = Effect::changes,

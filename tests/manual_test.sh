@@ -29,7 +29,7 @@ warnings() {
 }
 
 "$programs/stanok" manual "$folder/man" || fail "stanok manual"
-cp "$pages/stanokd.8" "$pages/stanok-web.8" "$pages/stanok-drives.1" "$folder/man"
+cp "$pages/stanokd.8" "$pages/stanok-web.8" "$pages/stanok-gateway.8" "$pages/stanok-drives.1" "$folder/man"
 count=0
 for page in "$folder"/man/*; do
   count=$((count + 1))
@@ -65,7 +65,7 @@ options_of_help() {
 options_of_page() {
   sed 's/\\-/-/g' "$folder/man/$1" | grep -A 1 '^\.TP' | grep -oE -- '--[a-z-]+' | sort -u
 }
-for page in stanokd.8 stanok-web.8 stanok-drives.1; do
+for page in stanokd.8 stanok-web.8 stanok-gateway.8 stanok-drives.1; do
   difference=$(diff <(options_of_help "${page%.*}") <(options_of_page "$page")) || fail "options of $page: $difference"
 done
 echo "manual: $count pages passed (${readers[*]})"

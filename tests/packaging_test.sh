@@ -22,10 +22,10 @@ package=$(find "$folder/made" -maxdepth 1 -name 'stanok_*.deb')
 [[ "$(dpkg-deb --field "$package" Depends)" == *libmodbus* ]] || fail "the package does not depend on its libraries"
 dpkg-deb --extract "$package" "$folder/unpacked"
 usr=$folder/unpacked/usr
-for file in bin/stanok bin/stanokd bin/stanok-drives bin/stanok-web lib/systemd/system/stanokd@.service lib/systemd/system/stanok-web@.service lib/sysusers.d/stanok.conf \
+for file in bin/stanok bin/stanokd bin/stanok-drives bin/stanok-web bin/stanok-gateway lib/systemd/system/stanokd@.service lib/systemd/system/stanok-web@.service lib/systemd/system/stanok-gateway.service lib/sysusers.d/stanok.conf \
   share/bash-completion/completions/stanok share/zsh/vendor-completions/_stanok \
   share/fish/vendor_completions.d/stanok.fish share/man/man1/stanok.1 share/man/man1/stanok-program.1 \
-  share/man/man1/stanok-drives.1 share/man/man8/stanokd.8 share/man/man8/stanok-web.8 \
+  share/man/man1/stanok-drives.1 share/man/man8/stanokd.8 share/man/man8/stanok-web.8 share/man/man8/stanok-gateway.8 \
   share/doc/stanok/README.md share/doc/stanok/docs/integrator/install.md share/doc/stanok/copyright; do
   [[ -s $usr/$file ]] || fail "the package lacks usr/$file"
 done
@@ -85,12 +85,12 @@ man_pages=$(find "$usr/share/man" -name 'stanok*' | wc -l)
 grep -q "stanok $("$usr/bin/stanok" --version)" "$usr/share/man/man8/stanokd.8" || fail "stanokd(8) is of another version"
 
 if command -v systemd-analyze >/dev/null; then
-  for name in stanokd stanok-web; do
-    unit=$folder/$name@.service
-    sed "s|/usr/bin/$name|$usr/bin/$name|; /^Documentation=/d" "$usr/lib/systemd/system/$name@.service" >"$unit"
+  for unit in stanokd@ stanok-web@ stanok-gateway; do
+    name=${unit%@}
+    sed "s|/usr/bin/$name|$usr/bin/$name|; /^Documentation=/d" "$usr/lib/systemd/system/$unit.service" >"$folder/$unit.service"
   done
-  for name in stanokd stanok-web; do
-    systemd-analyze verify "$folder/$name@.service" 2>"$folder/unit.log" || fail "the unit: $(cat "$folder/unit.log")"
+  for unit in stanokd@ stanok-web@ stanok-gateway; do
+    systemd-analyze verify "$folder/$unit.service" 2>"$folder/unit.log" || fail "the unit: $(cat "$folder/unit.log")"
   done
 fi
 echo "packaging: passed"

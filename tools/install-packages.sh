@@ -45,6 +45,16 @@ install_packages() {
   return 1
 }
 
+# Servers that only tests want, which start them by themselves: Debian starts them and has them started again.
+leave_off() {
+  local -r services="mosquitto postgresql"
+  local service
+  command -v systemctl >/dev/null && [[ -d /run/systemd/system ]] || return 0
+  for service in $services; do
+    [[ " $* " != *" $service "* ]] || as_root systemctl disable --now "$service" >/dev/null 2>&1 || true
+  done
+}
+
 main() {
   if (($# == 0)); then
     echo "usage: ${0##*/} runtime|build|python|test|all|peer ..." >&2
@@ -79,6 +89,7 @@ main() {
     return 1
   fi
   rm -f "$log"
+  leave_off "${missing[@]}"
 }
 
 main "$@"

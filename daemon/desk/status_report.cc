@@ -181,6 +181,7 @@ std::string program_of(const ChannelOutput& output, const std::vector<channels::
 json alarm_json(const channels::AlarmReport& alarm) {
   const CatalogueRow* row = find_in_catalogue(alarm.diagnostic.code);
   return {{"channel", alarm.channel},
+          {"number", alarm.number},
           {"cycle", alarm.cycle},
           {"code", alarm.diagnostic.code},
           {"text", alarm.diagnostic.message},
@@ -406,7 +407,10 @@ json StatusReport::program_history(int channel) const {
     if (channel != 0 && run.channel != channel) continue;
     const std::int64_t end = run.ended ? run.end_cycle : now;
     rows.push_back({{"channel", run.channel},
+                    {"number", run.number},
                     {"program", run.program},
+                    {"begun_cycle", run.start_cycle},
+                    {"ended_cycle", run.ended ? json(run.end_cycle) : json(nullptr)},
                     {"blocks", run.blocks},
                     {"time_s", static_cast<double>(end - run.start_cycle) * cycle_s},
                     {"path_mm", run.path_mm},

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocol/json_rpc.h"
-#include "web/server/machine_connection.h"
+#include "web/machine/machine_connection.h"
 
 namespace stanok::web {
 

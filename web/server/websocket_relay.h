@@ -21,7 +21,7 @@
 #include "web/access/sessions.h"
 #include "web/server/answer.h"
 #include "web/server/client_stream.h"
-#include "web/server/machine_connection.h"
+#include "web/machine/machine_connection.h"
 
 namespace stanok::web {
 

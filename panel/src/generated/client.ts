@@ -96,6 +96,7 @@ export interface Methods {
         cycle: number;
         file: string | null;
         line: number | null;
+        number: number;
         reaction: number | null;
         remedy: string | null;
         text: string;
@@ -124,6 +125,7 @@ export interface Methods {
         cycle: number;
         file: string | null;
         line: number | null;
+        number: number;
         reaction: number | null;
         remedy: string | null;
         text: string;
@@ -281,6 +283,7 @@ export interface Methods {
         cycle: number;
         file: string | null;
         line: number | null;
+        number: number;
         reaction: number | null;
         remedy: string | null;
         text: string;
@@ -461,15 +464,18 @@ export interface Methods {
     };
     result: {
       forgotten?: number;
-      runs: {
+      runs: ({
+        begun_cycle: number;
         blocks: number;
         channel: number;
         ended: boolean;
+        ended_cycle: number | null;
+        number: number;
         ok: boolean;
         path_mm: number;
         program: string;
         time_s: number;
-      }[];
+      })[];
     };
   };
   /** block search: the loaded program begins at this block when it is started; answers what lies before it */
@@ -662,6 +668,7 @@ export interface Methods {
         cycle: number;
         file: string | null;
         line: number | null;
+        number: number;
         reaction: number | null;
         remedy: string | null;
         text: string;
@@ -692,6 +699,7 @@ export interface Methods {
         cycle: number;
         file: string | null;
         line: number | null;
+        number: number;
         reaction: number | null;
         remedy: string | null;
         text: string;

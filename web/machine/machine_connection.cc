@@ -1,4 +1,4 @@
-#include "web/server/machine_connection.h"
+#include "web/machine/machine_connection.h"
 
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/buffer.hpp>

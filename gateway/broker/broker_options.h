@@ -1,0 +1,19 @@
+// How the broker is reached.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace stanok::gateway {
+
+struct BrokerOptions {
+  std::string host = "127.0.0.1";
+  int port = 1883;
+  std::string user;                     // empty: without
+  std::filesystem::path password_file;  // its first line
+  std::filesystem::path tls_ca;         // empty: no TLS
+  std::filesystem::path tls_certificate;
+  std::filesystem::path tls_key;
+};
+
+}  // namespace stanok::gateway

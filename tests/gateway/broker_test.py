@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+"""stanok-gateway between real daemons with simulated drives and a real mosquitto: what a subscriber sees.
+
+usage: broker_test.py GATEWAY STANOKD MACHINE_FILE DEATHS [unittest arguments]
+DEATHS: how often the broker is killed and brought back under events.
+"""
+import contextlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+from running_broker import PATIENCE_S, Broker, Subscriber  # noqa: E402
+from running_daemon import Operator, Refused, running_daemon  # noqa: E402
+from running_gateway import running_gateway  # noqa: E402
+
+GATEWAY, STANOKD, MACHINE, DEATHS = (sys.argv.pop(1) for _ in range(4))
+PROGRAM = "T1 M6\nG1 X1 F3000\nX0\nM30\n"
+WRONG = "G1 X1 F3000\nG1 X100000\nM30\n"  # beyond the travel of X
+
+
+class Machine:
+    """A machine that is on, and the runs that were begun by it."""
+
+    def __init__(self, stack, options=()):
+        self.daemon = stack.enter_context(running_daemon(STANOKD, MACHINE, PROGRAM, options=options))
+        self.socket = self.daemon.socket_path
+        with open(os.path.join(os.path.dirname(self.socket), "wrong.nc"), "w", encoding="utf-8") as file:
+            file.write(WRONG)
+        self.operator = Operator(self.socket)
+        stack.callback(self.operator.socket.close)
+        stack.callback(self.operator.lines.close)
+        self.insist("machine.on")
+        self.runs = 0
+
+    def insist(self, method, **parameters):
+        end = time.monotonic() + PATIENCE_S
+        while True:
+            try:
+                return self.operator.ask(method, **parameters)
+            except Refused:
+                if time.monotonic() > end:
+                    raise
+                time.sleep(0.05)
+
+    def run(self):
+        self.insist("program.run", program="part.nc", wait="done")
+        self.runs += 1
+
+    def fail(self):
+        """A run that an alarm ends."""
+        end = time.monotonic() + PATIENCE_S
+        while True:
+            error = self.operator.answer("program.run", program="wrong.nc", wait="done")["error"]["data"]
+            if error["code"] == "E5101":
+                break
+            if time.monotonic() > end:
+                raise RuntimeError(error)
+            time.sleep(0.05)
+        self.insist("program.reset")
+        return error
+
+
+class TheCell(unittest.TestCase):
+    def setUp(self):
+        self.stack = contextlib.ExitStack()
+        self.addCleanup(self.stack.close)
+        self.folder = self.stack.enter_context(tempfile.TemporaryDirectory())
+
+    def broker(self, settings=""):
+        broker = Broker(self.folder, settings)
+        self.stack.callback(broker.end)
+        return broker
+
+    def gateway(self, machines, broker, options=()):
+        daemons = {name: machine.socket for name, machine in machines.items()}
+        return self.stack.enter_context(running_gateway(GATEWAY, self.folder, daemons, broker.port, options))
+
+    def receive_until(self, subscriber, condition, what):
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            topic, text, retained = subscriber.receive()
+            content = json.loads(text)
+            if condition(topic, content):
+                return content, retained
+        return self.fail(f"never {what}")
+
+    def test_a_subscriber_sees_state_alarm_and_run(self):
+        broker, machine = self.broker(), Machine(self.stack)
+        self.gateway({"mill": machine}, broker)
+        with Subscriber(broker.port, "cell/#") as subscriber:
+            state, _ = self.receive_until(
+                subscriber, lambda topic, content: topic == "cell/mill/state" and content.get("on"), "on")
+            self.assertTrue(state["connected"])
+            self.assertEqual(state["channels"]["1"]["state"], "Reset")
+            self.assertRegex(state["time"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z$")
+            before = time.time()
+            machine.run()
+            begun, _ = self.receive_until(
+                subscriber, lambda topic, _: topic == "cell/mill/event/run_begun", "a run")
+            ended, retained = self.receive_until(
+                subscriber, lambda topic, _: topic == "cell/mill/event/run_ended", "its end")
+            self.assertFalse(retained)
+            self.assertEqual((ended["program"], ended["ok"], ended["parts"]), ("part.nc", True, 1))
+            self.assertEqual(ended["seq"], begun["seq"] + 1)
+            self.assertEqual(len(begun["version"]), len(ended["version"]))
+            self.assertTrue(ended["version"])
+            # The way of the program, there and back, and cycles that were timed by the clock.
+            self.assertAlmostEqual(ended["path_mm"], 2.0, delta=1e-6)
+            self.assertLess(abs(ended["ended_s"] - ended["begun_s"] - ended["time_s"]), 0.01)
+            self.assertLess(before - 1, ended["begun_s"])
+            self.assertLess(ended["ended_s"], time.time() + 1)
+            wanted = machine.fail()
+            alarm, _ = self.receive_until(
+                subscriber, lambda topic, _: topic == "cell/mill/event/alarm", "the alarm")
+            self.assertEqual((alarm["code"], alarm["file"], alarm["line"]),
+                             (wanted["code"], wanted["file"], wanted["line"]))
+        with Subscriber(broker.port, "cell/mill/positions") as late:
+            positions, retained = self.receive_until(late, lambda *_: True, "positions")
+            self.assertTrue(retained)
+            self.assertEqual(set(positions["channels"]["1"]["position"]), {"X", "Y", "Z"})
+
+    def test_the_will_tells_of_a_gateway_that_died(self):
+        broker, machine = self.broker(), Machine(self.stack)
+        daemons = {"mill": machine.socket}
+        with Subscriber(broker.port, "cell/gateway") as subscriber:
+            with self.assertRaises(RuntimeError):
+                with running_gateway(GATEWAY, self.folder, daemons, broker.port) as process:
+                    self.receive_until(subscriber, lambda _, content: content["online"], "online")
+                    process.send_signal(signal.SIGKILL)
+            self.receive_until(subscriber, lambda _, content: not content["online"], "offline")
+            with running_gateway(GATEWAY, self.folder, daemons, broker.port):
+                self.receive_until(subscriber, lambda _, content: content["online"], "online again")
+            self.receive_until(subscriber, lambda _, content: not content["online"], "offline in order")
+
+    def test_tls_and_a_password_from_a_file(self):
+        certificate, key = (os.path.join(self.folder, name) for name in ("broker.pem", "broker.key"))
+        subprocess.run(["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj",
+                        "/CN=localhost", "-addext", "subjectAltName=DNS:localhost", "-keyout", key, "-out",
+                        certificate], check=True, stderr=subprocess.DEVNULL)
+        users, password = (os.path.join(self.folder, name) for name in ("users", "password"))
+        subprocess.run(["mosquitto_passwd", "-b", "-c", users, "hall", "a long one"], check=True,
+                       stderr=subprocess.DEVNULL)
+        with open(password, "w", encoding="utf-8") as file:
+            file.write("a long one\n")
+        broker = self.broker(f"certfile {certificate}\nkeyfile {key}\nallow_anonymous false\npassword_file {users}\n")
+        machine = Machine(self.stack)
+        with self.assertRaises(PermissionError):
+            Subscriber(broker.port, "cell/#", "hall", "another one", certificate)
+        options = ("--broker", f"localhost:{broker.port}", "--user", "hall", "--password-file", password, "--tls-ca",
+                   certificate)
+        with running_gateway(GATEWAY, self.folder, {"mill": machine.socket}, None, options) as process, \
+                Subscriber(broker.port, "cell/#", "hall", "a long one", certificate) as subscriber:
+            self.receive_until(subscriber, lambda _, content: content.get("on"), "on")
+            with open(f"/proc/{process.pid}/cmdline", "rb") as arguments:
+                self.assertNotIn(b"a long one", arguments.read())
+
+    def test_a_daemon_that_goes_and_comes_back(self):
+        broker = self.broker()
+        with contextlib.ExitStack() as first:
+            machine = Machine(first)
+            self.gateway({"mill": machine}, broker)
+            subscriber = self.stack.enter_context(Subscriber(broker.port, "cell/mill/state"))
+            self.receive_until(subscriber, lambda _, content: content["connected"], "connected")
+        self.receive_until(subscriber, lambda _, content: not content["connected"], "disconnected")
+
+    def test_a_broker_that_dies_under_events_loses_none(self):
+        """Runs of two machines go on while the broker is killed and brought back, and once the gateway is."""
+        broker = self.broker()
+        machines = {"mill": Machine(self.stack), "lathe": Machine(self.stack)}
+        ended = threading.Event()
+        workers = [threading.Thread(target=self.work, args=(machine, ended)) for machine in machines.values()]
+        got = Received(broker.port)
+        with contextlib.ExitStack() as first:
+            daemons = {name: machine.socket for name, machine in machines.items()}
+            process = first.enter_context(running_gateway(GATEWAY, self.folder, daemons, broker.port))
+            for thread in [*workers, got.thread]:
+                thread.start()
+            for death in range(int(DEATHS)):
+                count = len(got.numbers)
+                self.wait_for(lambda: len(got.numbers) > count + 3, "events")
+                broker.kill()
+                done = [machine.runs for machine in machines.values()]
+                self.wait_for(lambda: all(machine.runs > before for machine, before in zip(machines.values(), done)),
+                              "runs without a broker")
+                if death == 1:
+                    process.send_signal(signal.SIGKILL)
+                    process.wait()
+                    process.returncode = 0
+                    process = first.enter_context(running_gateway(GATEWAY, self.folder, daemons, broker.port))
+                broker.start()
+            ended.set()
+            for thread in workers:
+                thread.join()
+            for name, machine in machines.items():
+                self.wait_for(lambda: got.ends[name] == set(range(1, machine.runs + 1)),
+                              f"all {machine.runs} runs of {name}: {sorted(got.ends[name])}")
+        got.ended = True
+        got.thread.join()
+        # No number is missing, and each is known once.
+        self.assertEqual(got.numbers, set(range(1, len(got.numbers) + 1)), got.late)
+        print(f"{DEATHS} deaths: {len(got.numbers)} events, {got.repeated} repeated, {len(got.late)} out of order")
+
+    @staticmethod
+    def work(machine, ended):
+        while not ended.is_set():
+            machine.run()
+
+    def wait_for(self, condition, what):
+        end = time.monotonic() + 2 * PATIENCE_S
+        while not condition():
+            self.assertLess(time.monotonic(), end, f"never {what}")
+            time.sleep(0.02)
+
+
+class Received:
+    """What a subscriber makes of events, with a session that outlives its connections and the broker."""
+
+    def __init__(self, port):
+        self.port, self.numbers, self.repeated, self.ended = port, set(), 0, False
+        self.late = []  # behind a higher number
+        self.ends = {"mill": set(), "lathe": set()}
+        self.thread = threading.Thread(target=self.follow)
+
+    def follow(self):
+        while not self.ended:
+            try:
+                with Subscriber(self.port, "cell/+/event/#", clean=False, name="history") as subscriber:
+                    subscriber.socket.settimeout(1)
+                    while not self.ended:
+                        self.take(*subscriber.receive()[:2])
+            except OSError:
+                time.sleep(0.05)
+
+    def take(self, topic, text):
+        content = json.loads(text)
+        if content["seq"] in self.numbers:
+            self.repeated += 1
+            return
+        if content["seq"] < max(self.numbers, default=0):
+            self.late.append(content["seq"])
+        self.numbers.add(content["seq"])
+        _, machine, _, kind = topic.split("/")
+        if kind == "run_ended":
+            self.ends[machine].add(content["number"])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
