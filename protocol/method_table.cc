@@ -34,7 +34,7 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
     {"process", "cutting process and adaptive control"},
     {"workpiece", "virtual workpiece"},
     {"scope", "signals at the full cycle rate"},
-    {"history", "logs of earlier runs"},
+    {"history", "earlier runs: logs of a machine; runs, alarms and use of a cell"},
     {"log", "log files and recorder"},
     {"session", "this connection"},
     {"system", "the daemon itself"},

@@ -4,6 +4,7 @@
 #include "client/command_line/self_commands.h"
 #include "client/offline/check/check_command.h"
 #include "client/offline/grind/grind_command.h"
+#include "client/offline/history/history_command.h"
 #include "client/offline/interpret/interpret_command.h"
 #include "client/offline/log/log_command.h"
 #include "client/offline/machine/machine_check_command.h"
@@ -34,6 +35,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_workpiece_follow_command(app, exit_code);
   add_grind_commands(app, exit_code);
   add_process_commands(app, exit_code);
+  add_history_commands(app, exit_code);
   add_explain_command(app, exit_code);
   add_completion_command(app);
   add_manual_command(app);

@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "gateway/outbox/event_kinds.h"
+
 namespace stanok::gateway {
 
 enum class TopicKind : std::uint8_t { state, event };
@@ -32,15 +34,6 @@ inline constexpr std::string_view positions = "positions";
 inline constexpr std::string_view parts = "parts";
 inline constexpr std::string_view tools = "tools";
 }  // namespace topic
-
-namespace event {
-inline constexpr std::string_view run_begun = "run_begun";
-inline constexpr std::string_view run_ended = "run_ended";
-inline constexpr std::string_view alarm = "alarm";
-inline constexpr std::string_view tool_use = "tool_use";
-inline constexpr std::string_view measurement = "measurement";
-inline constexpr std::string_view lost = "lost";
-}  // namespace event
 
 inline constexpr std::array topics{
     Topic{topic::gateway, TopicKind::state, "by the broker as the last will; on connecting",

@@ -1,7 +1,7 @@
 // Database: SQL that both engines of the gateway understand, SQLite and PostgreSQL.
 //
-// Values go in and come out as texts, NULL as nothing; placeholders are $1, $2, ... Statements keep
-// to what both engines take: the engine is chosen once, where the database is opened. One thread.
+// Values are texts, NULL is nothing; placeholders $1, $2, ... first appear in this order. Both
+// engines take all statements: the engine is chosen once, where the database is opened. One thread.
 #pragma once
 
 #include <memory>

@@ -21,11 +21,11 @@ class Use {
 };
 
 void bind(sqlite3_stmt* statement, const Row& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!values[i]) continue;
-    const std::string name = "$" + std::to_string(i + 1);
-    const int place = sqlite3_bind_parameter_index(statement, name.c_str());
-    sqlite3_bind_text64(statement, place, values[i]->data(), values[i]->size(), SQLITE_TRANSIENT,
+  int place = 0;
+  for (const Value& value : values) {
+    ++place;
+    if (!value) continue;
+    sqlite3_bind_text64(statement, place, value->data(), value->size(), SQLITE_TRANSIENT,
                         SQLITE_UTF8);
   }
 }

@@ -87,8 +87,8 @@ std::int64_t Outbox::position(const std::string& consumer) {
 
 void Outbox::set_position(const std::string& consumer, std::int64_t number) {
   Transaction transaction(database_);
-  database_.run("UPDATE consumers SET position = $2 WHERE name = $1",
-                {consumer, std::to_string(number)});
+  database_.run("UPDATE consumers SET position = $1 WHERE name = $2",
+                {std::to_string(number), consumer});
   database_.run("DELETE FROM events WHERE number <= (SELECT min(position) FROM consumers)");
   transaction.commit();
 }

@@ -14,6 +14,7 @@
 #include "gateway/broker/publisher.h"
 #include "gateway/cell/machine_reader.h"
 #include "gateway/cell/state_board.h"
+#include "gateway/history/history_writer.h"
 
 namespace stanok::gateway {
 namespace {
@@ -23,6 +24,7 @@ namespace asio = boost::asio;
 std::vector<std::string> consumers_of(const GatewayOptions& options) {
   std::vector<std::string> consumers;
   if (options.has_broker) consumers.emplace_back(Publisher::consumer);
+  if (!options.history.empty()) consumers.emplace_back(HistoryWriter::consumer);
   return consumers;
 }
 
@@ -55,6 +57,12 @@ void run_gateway(const GatewayOptions& options) {
   if (options.has_broker) {
     publisher = std::jthread([&](const std::stop_token& stop) {
       Publisher(options.broker, options.prefix, options.outbox(), board).run(stop);
+    });
+  }
+  std::jthread history;
+  if (!options.history.empty()) {
+    history = std::jthread([&](const std::stop_token& stop) {
+      HistoryWriter(options.history, options.outbox(), options.keep_days).run(stop);
     });
   }
   spdlog::info("{} machines, outbox {}", options.machines.size(), options.outbox().string());

@@ -25,6 +25,7 @@ constexpr int exit_usage = 2;
 struct CommandLine {
   std::vector<std::string> daemons;
   std::string broker = "127.0.0.1:1883";
+  std::string history;
   std::string keep = "400d";
   GatewayOptions options;
 };
@@ -61,6 +62,12 @@ void add_options(CLI::App& app, CommandLine& given) {
                  "how many events wait at most before the oldest are given up; default 1000000")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{100'000'000}))
       ->type_name("NUMBER");
+  app.add_option("--history", given.history,
+                 "database of the history: a file of SQLite, postgresql://..., or off; default: "
+                 "history.sqlite beside the outbox")
+      ->type_name("DATABASE");
+  app.add_option("--keep", given.keep, "how long the history keeps entries; default 400d")
+      ->type_name("DAYS");
 }
 
 GatewayOptions complete(CommandLine given) {
@@ -71,6 +78,10 @@ GatewayOptions complete(CommandLine given) {
   options.keep_days = stanok::gateway::days_of(given.keep);
   if (options.state_folder.empty())
     options.state_folder = stanok::protocol::default_state_directory("gateway");
+  if (given.history.empty())
+    options.history = (options.state_folder / "history.sqlite").string();
+  else if (given.history != "off")
+    options.history = given.history;
   return options;
 }
 

@@ -1,0 +1,88 @@
+#include "gateway/history/queries.h"
+
+#include <array>
+
+#include "gateway/outbox/wall_clock.h"
+
+namespace stanok::gateway {
+namespace {
+
+using enum ColumnKind;
+
+constexpr std::array run_columns{
+    Column{"ended", time},     Column{"machine", text},  Column{"channel", number},
+    Column{"program", text},   Column{"version", text},  Column{"time_s", number},
+    Column{"path_mm", number}, Column{"blocks", number}, Column{"ok", yes_no}};
+constexpr std::string_view runs_sql =
+    "SELECT ended_s, machine, channel, program, version, time_s, path_mm, blocks, ok FROM runs "
+    "WHERE ended_s >= $1 AND ($2 = '' OR machine = $2) ORDER BY ended_s DESC LIMIT 1000";
+
+constexpr std::array alarm_columns{
+    Column{"time", time}, Column{"machine", text}, Column{"channel", number}, Column{"code", text},
+    Column{"text", text}, Column{"file", text},    Column{"line", number}};
+constexpr std::string_view alarms_sql =
+    "SELECT time_s, machine, channel, code, text, file, line FROM alarms WHERE time_s >= $1 AND "
+    "($2 = '' OR machine = $2) ORDER BY time_s DESC LIMIT 1000";
+
+// OEE by its three factors (ISO 22400-2): what of the time since then a program ran; how near its
+// runs that ended well come to the shortest one of the same text; what part of the runs ended well.
+constexpr std::array oee_columns{
+    Column{"machine", text},        Column{"channel", number},       Column{"runs", number},
+    Column{"availability", number}, Column{"effectiveness", number}, Column{"quality", number},
+    Column{"oee", number}};
+constexpr std::string_view oee_sql =
+    "WITH texts AS (SELECT machine, channel, COUNT(*) AS runs, SUM(ok) AS good, SUM(time_s) AS "
+    "all_s, SUM(CASE WHEN ok = 1 THEN time_s END) AS good_s, MIN(CASE WHEN ok = 1 THEN time_s END) "
+    "AS best_s FROM runs WHERE ended_s >= $1 AND ($2 = '' OR machine = $2) GROUP BY machine, "
+    "channel, program, version), factors AS (SELECT machine, channel, SUM(runs) AS runs, "
+    "SUM(all_s) "
+    "/ (CAST($3 AS DOUBLE PRECISION) - CAST($1 AS DOUBLE PRECISION)) AS availability, SUM(best_s * "
+    "good) / SUM(CASE WHEN good_s > 0 THEN good_s END) AS effectiveness, CAST(SUM(good) AS DOUBLE "
+    "PRECISION) / SUM(runs) AS quality FROM texts GROUP BY machine, channel) SELECT machine, "
+    "channel, runs, availability, effectiveness, quality, availability * effectiveness * quality "
+    "FROM factors ORDER BY machine, channel";
+
+constexpr std::array tool_columns{Column{"machine", text}, Column{"tool", number},
+                                  Column{"runs", number}, Column{"use_s", number},
+                                  Column{"last", time}};
+constexpr std::string_view tools_sql =
+    "SELECT machine, tool, COUNT(*), SUM(use_s), MAX(time_s) FROM tool_use WHERE time_s >= $1 AND "
+    "($2 = '' OR machine = $2) GROUP BY machine, tool ORDER BY machine, tool";
+
+// Means of the first and of the last quarter of the runs of the same text.
+constexpr std::array drift_columns{Column{"machine", text},   Column{"program", text},
+                                   Column{"version", text},   Column{"runs", number},
+                                   Column{"first_s", number}, Column{"last_s", number},
+                                   Column{"drift", number}};
+constexpr std::string_view drift_sql =
+    "WITH quarters AS (SELECT machine, program, version, time_s, NTILE(4) OVER (PARTITION BY "
+    "machine, program, version ORDER BY ended_s) AS quarter FROM runs WHERE ended_s >= $1 AND ($2 "
+    "= '' OR machine = $2) AND ok = 1), means AS (SELECT machine, program, version, COUNT(*) AS "
+    "runs, AVG(CASE WHEN quarter = 1 THEN time_s END) AS first_s, AVG(CASE WHEN quarter = 4 THEN "
+    "time_s END) AS last_s FROM quarters GROUP BY machine, program, version) SELECT machine, "
+    "program, version, runs, first_s, last_s, (last_s - first_s) / first_s FROM means WHERE runs "
+    ">= 8 AND first_s > 0 ORDER BY machine, program, version";
+
+constexpr std::array all{
+    Query{"runs", "program runs, the newest first, 1000 at most", runs_sql, run_columns},
+    Query{"alarms", "alarms, the newest first, 1000 at most", alarms_sql, alarm_columns},
+    Query{"oee", "use of each machine: availability, effectiveness, quality", oee_sql, oee_columns},
+    Query{"tools", "time of tools in running programs", tools_sql, tool_columns},
+    Query{"drift", "cycle times of the same program text: first against last quarter of its runs",
+          drift_sql, drift_columns},
+};
+
+}  // namespace
+
+std::span<const Query> queries() {
+  return all;
+}
+
+Rows ask(History& history, const Query& query, double since_s, const std::string& machine) {
+  Row values{text_of(since_s), machine};
+  const std::string sql(query.sql);
+  if (sql.find("$3") != std::string::npos) values.emplace_back(text_of(wall_clock_s()));
+  return history.database().run(sql, values);
+}
+
+}  // namespace stanok::gateway
