@@ -172,15 +172,16 @@ int run_study_command(const GrindOptions& options) {
   for (const std::string& text : options.variations) {
     const auto variation = read_variation(text);
     if (!variation) {
-      throw CLI::ValidationError("--vary", "'" + text +
-                                               "' is not KEY=FROM:TO:COUNT with a key of the "
-                                               "process file, as stiffness=2e7:4e7:100");
+      throw CLI::ValidationError("--set", "'" + text +
+                                              "' is not KEY=FROM:TO:COUNT or KEY=A,B,C with a "
+                                              "key of the process file, as stiffness=2e7:4e7:100 "
+                                              "or part_speed=100,120");
     }
     variations.push_back(*variation);
   }
   const double size = study_size(variations);
   if (size > study_points_max) {
-    throw CLI::ValidationError("--vary", "more than a million designs");
+    throw CLI::ValidationError("--set", "more than a million designs");
   }
   auto input = read_input(options);
   if (!input) return exit_failed;
@@ -322,7 +323,10 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
   study->add_option("PROCESS", of_study->input, "process file (.toml) or control file")
       ->type_name("FILE")
       ->required();
-  study->add_option("--vary", of_study->variations, "KEY=FROM:TO:COUNT, several times")->required();
+  study
+      ->add_option("--set,--vary", of_study->variations,
+                   "KEY=FROM:TO:COUNT, in equal steps, or KEY=A,B,C; several times")
+      ->required();
   study->add_option("--out", of_study->out, "CSV file; default: the standard output")
       ->type_name("FILE");
   add_process_options(*study, *of_study);

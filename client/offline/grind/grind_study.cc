@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 #include "base/place.h"
@@ -31,14 +32,53 @@ double* quantity_of(DesignRequest& request, const std::string& key) {
   return nullptr;
 }
 
-// The next number of a text up to a colon or its end, taken off the text.
 template <class Number>
-bool take(std::string_view& text, Number& value) {
-  const std::string_view part = text.substr(0, text.find(':'));
-  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-  if (error != std::errc() || end != part.data() + part.size()) return false;
-  text.remove_prefix(std::min(part.size() + 1, text.size()));
-  return true;
+std::optional<Number> number_in(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> parts_of(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = text.find(separator); end != std::string_view::npos;
+       end = text.find(separator)) {
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+std::optional<double> finite_number_in(std::string_view text) {
+  const auto value = number_in<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+// FROM:TO:COUNT. Empty: another form.
+std::vector<double> values_in_range(const std::vector<std::string_view>& parts) {
+  if (parts.size() != 3) return {};
+  const auto from = finite_number_in(parts[0]);
+  const auto to = finite_number_in(parts[1]);
+  const auto count = number_in<int>(parts[2]);
+  if (!from || !to || !count || *count < 1 || *count > count_max) return {};
+  if (*count == 1) return {*from};
+  std::vector<double> values;
+  for (int k = 0; k < *count; ++k)
+    values.push_back(std::lerp(*from, *to, static_cast<double>(k) / (*count - 1)));
+  return values;
+}
+
+// A,B,C. Empty: another form.
+std::vector<double> values_in_list(const std::vector<std::string_view>& parts) {
+  std::vector<double> values;
+  for (const std::string_view part : parts) {
+    const auto value = finite_number_in(part);
+    if (!value) return {};
+    values.push_back(*value);
+  }
+  return values;
 }
 
 std::string first_error(const Findings& findings) {
@@ -50,8 +90,8 @@ StudyPoint studied(DesignRequest request, const std::vector<Variation>& variatio
                    std::size_t index) {
   StudyPoint point{.values = std::vector<double>(variations.size())};
   for (std::size_t k = variations.size(); k-- > 0;) {
-    const std::size_t count = checked_size(variations[k].count);
-    point.values[k] = variations[k].value(static_cast<int>(index % count));
+    const std::size_t count = variations[k].values.size();
+    point.values[k] = variations[k].values[index % count];
     index /= count;
     *quantity_of(request, variations[k].key) = point.values[k];
   }
@@ -92,28 +132,24 @@ std::string cells(const CycleDesign& design) {
 
 }  // namespace
 
-double Variation::value(int index) const {
-  return count == 1 ? from : std::lerp(from, to, static_cast<double>(index) / (count - 1));
-}
-
 std::optional<Variation> read_variation(const std::string& text) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos) return std::nullopt;
-  Variation variation{.key = text.substr(0, sign)};
+  Variation variation{.key = text.substr(0, sign), .values = {}};
   DesignRequest any;
   if (quantity_of(any, variation.key) == nullptr) return std::nullopt;
-  std::string_view rest = std::string_view(text).substr(sign + 1);
-  const bool is_read =
-      take(rest, variation.from) && take(rest, variation.to) && take(rest, variation.count);
-  const bool is_finite = std::isfinite(variation.from) && std::isfinite(variation.to);
-  if (!is_read || !rest.empty() || !is_finite) return std::nullopt;
-  if (variation.count < 1 || variation.count > count_max) return std::nullopt;
+  const std::string_view values = std::string_view(text).substr(sign + 1);
+  variation.values = values.find(':') != std::string_view::npos
+                         ? values_in_range(parts_of(values, ':'))
+                         : values_in_list(parts_of(values, ','));
+  if (variation.values.empty()) return std::nullopt;
   return variation;
 }
 
 double study_size(const std::vector<Variation>& variations) {
   double size = 1.0;
-  for (const Variation& variation : variations) size *= variation.count;
+  for (const Variation& variation : variations)
+    size *= static_cast<double>(variation.values.size());
   return size;
 }
 

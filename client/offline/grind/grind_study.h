@@ -11,17 +11,14 @@
 
 namespace stanok::client {
 
-// KEY=FROM:TO:COUNT: a number of the sheet, or the allowance, in equal steps.
+// A number of the sheet, or the allowance, and the values that it takes one after the other.
 struct Variation {
   std::string key;
-  double from = 0.0;
-  double to = 0.0;
-  int count = 1;
-
-  [[nodiscard]] double value(int index) const;
+  std::vector<double> values;
 };
 
-// Nothing when the text has another form or names no number of the sheet.
+// KEY=FROM:TO:COUNT (equal steps) or KEY=A,B,C (these, in this order). Nothing when the text has
+// another form or names no number of the sheet.
 [[nodiscard]] std::optional<Variation> read_variation(const std::string& text);
 
 struct StudyPoint {

@@ -188,6 +188,29 @@ TEST_F(Grind, StudiesEveryCombinationInOrder) {
   EXPECT_EQ(run("grind study " + example_folder + "plunge_grinding.toml --vary stifness=1:2:3"), 2);
 }
 
+// The values of a list are those of the same range: 100, 120, 140.
+TEST_F(Grind, StudiesListsAsRangesOfTheSameValues) {
+  const std::string study = "grind study " + example_folder + "plunge_grinding.toml --points 3 ";
+  ASSERT_EQ(run(study + "--set part_speed=100:140:3"), 0);
+  const std::string of_range = output();
+  ASSERT_EQ(run(study + "--set part_speed=100,120,140"), 0);
+  EXPECT_EQ(output(), of_range);
+  ASSERT_EQ(run(study + "--set part_speed=140,100"), 0);  // in the order of the list
+  const std::string of_list = output();
+  const std::size_t first = of_list.find("\n140,");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_LT(first, of_list.find("\n100,"));
+}
+
+TEST_F(Grind, RefusesSetsOfAnotherForm) {
+  for (const char* wrong : {"part_speed=", "part_speed=100,", "part_speed=,100", "part_speed=1,x",
+                            "part_speed=1:2", "part_speed=1:2:3:", "part_speed=1:2:0",
+                            "part_speed=1:2,3:4", "part_speed=inf", "part_speed"}) {
+    EXPECT_EQ(run("grind study " + example_folder + "plunge_grinding.toml --set " + wrong), 2)
+        << wrong;
+  }
+}
+
 struct TraceRow {
   double t, feed, x, vx;
 };
