@@ -2,6 +2,7 @@
 
 #include "client/command_line/explain_command.h"
 #include "client/command_line/self_commands.h"
+#include "client/offline/batch/batch_command.h"
 #include "client/offline/check/check_command.h"
 #include "client/offline/grind/grind_command.h"
 #include "client/offline/history/history_command.h"
@@ -31,6 +32,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_machine_check_command(app, exit_code);
   add_interpret_command(app, exit_code);
   add_simulate_command(app, exit_code);
+  add_batch_commands(app, exit_code);
   add_log_commands(app, exit_code);
   add_workpiece_follow_command(app, exit_code);
   add_grind_commands(app, exit_code);

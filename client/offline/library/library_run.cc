@@ -10,6 +10,7 @@
 #include "client/offline/library/digest.h"
 #include "client/offline/library/result_cache.h"
 #include "client/offline/library/work_pool.h"
+#include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
 #include "client/terminal/output.h"
 #include "client/terminal/progress_line.h"
@@ -27,21 +28,27 @@ constexpr char kept_before = 'k';
 
 class LibraryRun {
  public:
-  LibraryRun(const Candidates& candidates, const LibraryOptions& options, const LibraryWork& work)
-      : programs_(candidates.programs), options_(options), work_(work) {
-    if (!options.cache.empty()) cache_.emplace(options.cache, work.context);
+  LibraryRun(const Candidates& candidates, const LibraryOptions& options, const LibraryWork& work,
+             const LibraryOutput& output)
+      : programs_(candidates.programs), options_(options), work_(work), output_(output) {
+    if (!options.cache.empty()) cache_.emplace(options.cache, work.context());
   }
 
+  // False: interrupted.
   bool run() {
     const int jobs =
         options_.jobs > 0 ? options_.jobs : static_cast<int>(std::thread::hardware_concurrency());
-    const bool is_whole = jobs == 1 || programs_.size() < 2 ? run_here() : run_in_processes(jobs);
+    const bool is_whole = is_done_here(jobs) ? run_here() : run_in_processes(jobs);
     progress_.clear();
     tell_of_cache();
     return is_whole;
   }
 
  private:
+  [[nodiscard]] bool is_done_here(int jobs) const {
+    return !options_.is_isolated && (jobs == 1 || programs_.size() < 2);
+  }
+
   bool run_here() {
     for (std::size_t k = 0; k < programs_.size(); ++k) {
       show(k);
@@ -80,8 +87,8 @@ class LibraryRun {
     const char origin = piece.bytes.empty() ? made : piece.bytes.front();
     if (origin == kept_before) ++from_cache_;
     if (origin == made_and_not_kept) ++not_kept_;
-    work_.take(programs_[index], piece.bytes.empty() ? piece.bytes : piece.bytes.substr(1),
-               piece.death);
+    output_.take(programs_[index], piece.bytes.empty() ? piece.bytes : piece.bytes.substr(1),
+                 piece.death);
   }
 
   void show(std::size_t done) {
@@ -104,6 +111,7 @@ class LibraryRun {
   const std::vector<Candidate>& programs_;
   const LibraryOptions& options_;
   const LibraryWork& work_;
+  const LibraryOutput& output_;
   std::optional<ResultCache> cache_;
   ProgressLine progress_;
   std::size_t from_cache_ = 0;
@@ -132,9 +140,9 @@ void add_library_options(CLI::App& command, LibraryOptions& options) {
       ->type_name("FOLDER");
 }
 
-bool run_library(const Candidates& candidates, const LibraryOptions& options,
-                 const LibraryWork& work) {
-  return LibraryRun(candidates, options, work).run();
+int run_library(const Candidates& candidates, const LibraryOptions& options,
+                const LibraryWork& work, const LibraryOutput& output) {
+  return LibraryRun(candidates, options, work, output).run() ? output.finish() : exit_interrupted;
 }
 
 std::string context_of(const config::MachineFile& machine, const std::vector<std::string>& asked) {

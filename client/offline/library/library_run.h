@@ -19,6 +19,8 @@ namespace stanok::client {
 struct LibraryOptions {
   int jobs = 1;       // processes; 0: as many as there are processors
   std::string cache;  // folder; empty: none
+  // One process at a time is one beside this one, too, so that a program takes no other with it.
+  bool is_isolated = false;
 };
 
 void add_library_options(CLI::App& command, LibraryOptions& options);
@@ -28,15 +30,22 @@ struct LibraryWork {
   std::function<std::string(const Candidate& program, runtime::TextBook& book)> result;
   // Gives texts as the work would read them.
   std::function<std::unique_ptr<lang::Files>(const Candidate& program)> files;
+  // A digest of all but texts of programs that a result depends on.
+  std::function<std::string()> context;
+};
+
+// What becomes of the results.
+struct LibraryOutput {
   // Called with every program, in their order. `death`: why there is no result; empty: there is.
   std::function<void(const Candidate& program, const std::string& result, const std::string& death)>
       take;
-  std::string context;  // of the cache: a digest of all but texts of programs
+  // Called behind the last one: prints what belongs to all; the exit code.
+  std::function<int()> finish;
 };
 
-// False: interrupted. Says on the standard error how many results came from the cache.
-[[nodiscard]] bool run_library(const Candidates& candidates, const LibraryOptions& options,
-                               const LibraryWork& work);
+// The exit code. Says on the standard error how many results came from the cache.
+[[nodiscard]] int run_library(const Candidates& candidates, const LibraryOptions& options,
+                              const LibraryWork& work, const LibraryOutput& output);
 
 // A digest of what a result depends on besides texts of programs: stanok itself, to the bit, the
 // files of the machine, and what the command was asked for.

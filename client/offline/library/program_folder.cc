@@ -46,7 +46,7 @@ Candidates candidates_of(const std::vector<std::string>& names) {
       candidates.programs.push_back({name, {}});
       continue;
     }
-    candidates.has_folders = true;
+    candidates.named = ProgramsNamed::by_folders;
     const auto found = programs_below(name);
     candidates.programs.insert(candidates.programs.end(), found.begin(), found.end());
   }

@@ -13,9 +13,12 @@ struct Candidate {
   std::filesystem::path folder;
 };
 
+// Whether programs were named one by one, or folders of them: their results are shown otherwise.
+enum class ProgramsNamed { by_files, by_folders };
+
 struct Candidates {
   std::vector<Candidate> programs;  // as they were named; those of a folder by their names
-  bool has_folders = false;
+  ProgramsNamed named = ProgramsNamed::by_files;
 };
 
 // Throws CLI::ValidationError where a folder has no part program (.nc, .ngc, ...).

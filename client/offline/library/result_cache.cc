@@ -1,18 +1,16 @@
 #include "client/offline/library/result_cache.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <system_error>
 #include <tuple>
 #include <utility>
 
 #include "client/offline/library/digest.h"
 #include "client/offline/library/record.h"
+#include "client/offline/library/whole_file.h"
 
 namespace stanok::client {
 namespace {
@@ -78,19 +76,7 @@ bool ResultCache::keep(std::string_view program, const std::vector<recording::Pr
   for (const recording::ProgramRead& read : reads) {
     if (asked.insert({read.name, read.from}).second) readings.push_back(reading_of(read));
   }
-  const fs::path place = place_of(program);
-  const fs::path fresh = place.string() + "." + std::to_string(::getpid());
-  std::error_code error;
-  fs::create_directories(place.parent_path(), error);
-  std::ofstream stream(fresh, std::ios::binary | std::ios::trunc);
-  stream << bytes_of(record);
-  stream.close();
-  const bool is_written = !stream.fail();
-  if (is_written) fs::rename(fresh, place, error);
-  if (is_written && !error) return true;
-  std::error_code ignored;
-  fs::remove(fresh, ignored);
-  return false;
+  return write_whole(place_of(program), bytes_of(record));
 }
 
 }  // namespace stanok::client

@@ -334,9 +334,13 @@ void print_result(const SimulateOptions& given, const channels::MachineConfig& m
   }
 }
 
+bool is_one(const Candidates& candidates) {
+  return candidates.named == ProgramsNamed::by_files && candidates.programs.size() == 1;
+}
+
 // Of several programs each run is by itself: what belongs to one run does not go with them.
 void check_library(const CLI::App& command, const Candidates& candidates) {
-  if (!candidates.has_folders && candidates.programs.size() == 1) {
+  if (is_one(candidates)) {
     for (const char* option : {"--jobs", "--cache", "--limit"}) {
       if (command.count(option) == 0) continue;
       throw CLI::ValidationError(option, "belongs to several programs, or a folder of them");
@@ -354,11 +358,10 @@ void check_library(const CLI::App& command, const Candidates& candidates) {
   }
 }
 
-int run_library(const SimulateOptions& given, const Candidates& candidates) {
-  return simulate_library(candidates, {.job = given.job,
-                                       .library = given.library,
-                                       .limit_s = given.limit_s,
-                                       .drives = given.drives});
+int run_several(const SimulateOptions& given, const Candidates& candidates) {
+  const LibrarySimulation wanted{
+      .job = given.job, .limit_s = given.limit_s, .drives = given.drives};
+  return run_library(candidates, given.library, simulation_work(wanted), simulation_output(wanted));
 }
 
 int run_one(const SimulateOptions& given) {
@@ -382,8 +385,7 @@ int run(const SimulateOptions& given, const CLI::App& command) {
   if (given.programs.empty()) return run_one(given);
   const Candidates candidates = candidates_of(given.programs);
   check_library(command, candidates);
-  const bool is_one = !candidates.has_folders && candidates.programs.size() == 1;
-  return is_one ? run_one(given) : run_library(given, candidates);
+  return is_one(candidates) ? run_one(given) : run_several(given, candidates);
 }
 
 }  // namespace

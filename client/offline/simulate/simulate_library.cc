@@ -206,41 +206,44 @@ ordered_json simulated_json(const std::vector<SimulatedProgram>& programs) {
   return all;
 }
 
-int simulate_library(const Candidates& candidates, const LibrarySimulation& wanted) {
-  const auto machine = config::read_machine_file(wanted.job.machine_file);
-  std::vector<SimulatedProgram> programs;
-  int exit_code = 0;
-  const auto take = [&](SimulatedProgram program) {
-    int code = program.ok ? 0 : exit_failed;
-    for (const Diagnostic& found : program.diagnostics) {
-      code = std::max(code, exit_code_of(found));
-      if (!wanted.job.json) print(found);
-    }
-    exit_code = std::max(exit_code, code);
-    programs.push_back(std::move(program));
+LibraryWork simulation_work(const LibrarySimulation& wanted) {
+  const auto machine = std::make_shared<const config::MachineFile>(
+      config::read_machine_file(wanted.job.machine_file));
+  return {.result =
+              [wanted, machine](const Candidate& candidate, runtime::TextBook& book) {
+                return record_of(simulated(candidate, wanted, *machine, book));
+              },
+          .files =
+              [wanted, machine](const Candidate& candidate) {
+                return std::make_unique<runtime::ProgramFiles>(
+                    roots_of(candidate, wanted.job), runtime::program_format(machine->machine));
+              },
+          .context = [wanted, machine] { return context_of(*machine, asked_of(wanted)); }};
+}
+
+LibraryOutput simulation_output(const LibrarySimulation& wanted) {
+  const auto programs = std::make_shared<std::vector<SimulatedProgram>>();
+  const auto take = [=](const Candidate& candidate, const std::string& result,
+                        const std::string& death) {
+    programs->push_back(death.empty() ? program_of(result) : lost(candidate, death));
+    if (wanted.job.json) return;
+    for (const Diagnostic& found : programs->back().diagnostics) print(found);
   };
-  const LibraryWork work{
-      .result =
-          [&](const Candidate& candidate, runtime::TextBook& book) {
-            return record_of(simulated(candidate, wanted, machine, book));
-          },
-      .files =
-          [&](const Candidate& candidate) {
-            return std::make_unique<runtime::ProgramFiles>(
-                roots_of(candidate, wanted.job), runtime::program_format(machine.machine));
-          },
-      .take =
-          [&](const Candidate& candidate, const std::string& result, const std::string& death) {
-            take(death.empty() ? program_of(result) : lost(candidate, death));
-          },
-      .context = wanted.library.cache.empty() ? "" : context_of(machine, asked_of(wanted))};
-  if (!run_library(candidates, wanted.library, work)) return exit_interrupted;
-  if (wanted.job.json) {
-    write_json(simulated_json(programs));
-  } else {
-    write_data(simulated_table(programs, Terminal(STDOUT_FILENO)));
-  }
-  return exit_code;
+  const auto finish = [=] {
+    if (wanted.job.json) {
+      write_json(simulated_json(*programs));
+    } else {
+      write_data(simulated_table(*programs, Terminal(STDOUT_FILENO)));
+    }
+    int exit_code = 0;
+    for (const SimulatedProgram& program : *programs) {
+      if (!program.ok) exit_code = std::max(exit_code, exit_failed);
+      for (const Diagnostic& found : program.diagnostics)
+        exit_code = std::max(exit_code, exit_code_of(found));
+    }
+    return exit_code;
+  };
+  return {.take = take, .finish = finish};
 }
 
 }  // namespace stanok::client

@@ -25,13 +25,14 @@ struct SimulatedProgram {
 
 struct LibrarySimulation {
   JobOptions job;
-  LibraryOptions library;
   double limit_s = -1.0;  // of machine time for each; < 0: none
   bool drives = false;    // simulated ones; without them they are ideal
 };
 
-// Prints diagnostics as they come and the table, or the JSON, of all; the exit code.
-[[nodiscard]] int simulate_library(const Candidates& candidates, const LibrarySimulation& wanted);
+// Reads the machine file; throws what it throws.
+[[nodiscard]] LibraryWork simulation_work(const LibrarySimulation& wanted);
+// Diagnostics as they come, and the table, or the JSON, of all.
+[[nodiscard]] LibraryOutput simulation_output(const LibrarySimulation& wanted);
 
 // One row for each program and their sum: file, blocks, time, path, what became of it.
 [[nodiscard]] std::string simulated_table(const std::vector<SimulatedProgram>& programs,

@@ -1,0 +1,13 @@
+// A file that other processes, also of other computers, see whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace stanok::client {
+
+// Written beside its place under a name that no other process of any computer uses, then renamed
+// over it; folders are made. False: it cannot be written, and nothing is left.
+[[nodiscard]] bool write_whole(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace stanok::client
