@@ -7,6 +7,7 @@
 #include "client/offline/grind/grind_command.h"
 #include "client/offline/history/history_command.h"
 #include "client/offline/interpret/interpret_command.h"
+#include "client/offline/library/cache_command.h"
 #include "client/offline/log/log_command.h"
 #include "client/offline/machine/machine_check_command.h"
 #include "client/offline/process/process_command.h"
@@ -33,6 +34,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_interpret_command(app, exit_code);
   add_simulate_command(app, exit_code);
   add_batch_commands(app, exit_code);
+  add_cache_commands(app, exit_code);
   add_log_commands(app, exit_code);
   add_workpiece_follow_command(app, exit_code);
   add_grind_commands(app, exit_code);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "client/offline/library/cache_hygiene.h"
 #include "client/offline/library/digest.h"
 #include "client/offline/library/record.h"
 #include "client/offline/library/whole_file.h"
@@ -62,7 +63,9 @@ std::optional<std::string> ResultCache::find(std::string_view program,
     const bool holds = std::all_of(readings.begin(), readings.end(), [&](const json& reading) {
       return is_the_same(reading, files);
     });
-    return holds ? std::optional(std::move(result)) : std::nullopt;
+    if (!holds) return std::nullopt;
+    note_use(place_of(program));
+    return result;
   } catch (const json::exception&) {
     return std::nullopt;
   }
