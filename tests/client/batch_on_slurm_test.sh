@@ -14,7 +14,10 @@ readonly library=$folder/library machine=$folder/mill3.toml
 
 # A step of the test, with the seconds since its beginning.
 now_ms() { echo $((${EPOCHREALTIME/./} / 1000)); }
-seconds_since() { printf '%d.%03d' $((($(now_ms) - $1) / 1000)) $((($(now_ms) - $1) % 1000)); }
+seconds_since() {
+  local -r ms=$(($(now_ms) - $1))
+  printf '%d.%03d' $((ms / 1000)) $((ms % 1000))
+}
 say() { printf '%8s s  %s\n' "$(seconds_since "$begin")" "$1"; }
 begin=$(now_ms)
 readonly begin

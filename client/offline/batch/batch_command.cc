@@ -34,6 +34,7 @@ struct BatchOptions {
   LibraryOptions library;
   std::size_t chunk = 0;  // 0: the usual one
   Engine engine;
+  bool names_engine = false;
   std::size_t task_index = 0;
   bool waits = false;
 };
@@ -87,12 +88,15 @@ int submit(const BatchOptions& options) {
     folder.lay_down(plan_of_options(options));
   }
   const BatchPlan plan = folder.plan();
-  folder.choose(options.engine);
+  // Who submits again need not say again who works.
+  const bool goes_on = options.programs.empty() && !options.names_engine;
+  const Engine engine = goes_on ? folder.engine() : options.engine;
+  folder.choose(engine);
   folder.allow();
   const auto chunks = chunks_to_do(state_of(folder, plan));
   for (const std::size_t chunk : chunks) folder.forget_fault(chunk);
   std::string number;
-  if (options.engine.kind == EngineKind::slurm) {
+  if (engine.kind == EngineKind::slurm) {
     if (!chunks.empty()) number = submit_chunks(folder, plan, chunks);
   } else if (const int code = do_here(folder, plan, chunks); code != 0) {
     return code;
@@ -205,7 +209,10 @@ void add_submit(CLI::App& noun, int& exit_code) {
   command->add_flag("--drives", options->drives, "run the simulated drives (simulate)");
   add_library_options(*command, options->library);
   add_engine_options(*command, *options);
-  command->callback([options, &exit_code] { exit_code = submit(*options); });
+  command->callback([options, command, &exit_code] {
+    options->names_engine = command->count("--engine") > 0;
+    exit_code = submit(*options);
+  });
 }
 
 }  // namespace

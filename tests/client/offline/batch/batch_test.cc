@@ -145,6 +145,21 @@ TEST_F(Batch, ACancelledOneBeginsNothing) {
   EXPECT_TRUE(fs::exists(work() / "results" / "000001"));
 }
 
+// Who chose a cluster is not given this computer when the batch is submitted again.
+TEST_F(Batch, SubmittedAgainItKeepsItsEngine) {
+  const std::string nowhere = "PATH=/nowhere " + stanok_program + " ";
+  const auto code_of = [&](const std::string& arguments) {
+    const std::string line =
+        "cd " + folder_.path().string() + " && " + nowhere + arguments + " 2>messages";
+    return WEXITSTATUS(std::system(line.c_str()));
+  };
+  EXPECT_EQ(code_of("batch submit programs --work work --engine slurm " + machine()), 1);
+  EXPECT_EQ(code_of("batch submit --work work"), 1);
+  EXPECT_NE(text_of(folder_.path() / "messages").find("squeue"), std::string::npos);
+  EXPECT_EQ(code_of("batch submit --work work --engine local"), 0);
+  EXPECT_EQ(code_of("batch submit --work work"), 0);
+}
+
 TEST_F(Batch, WithoutSlurmItSaysWhatToInstall) {
   const std::string line = "cd " + folder_.path().string() + " && PATH=/nowhere " + stanok_program +
                            " batch submit programs --work elsewhere --engine slurm " + machine() +
