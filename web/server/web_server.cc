@@ -60,6 +60,11 @@ tcp::acceptor listening(asio::io_context& io, const tcp::endpoint& endpoint) {
 }  // namespace
 
 struct WebServer::Parts {
+  struct ServedFiles {
+    PageFiles page;
+    PageFiles manual;  // documents that the page shows
+  };
+
   explicit Parts(const WebOptions& options);
 
   [[nodiscard]] asio::awaitable<void> accept();
@@ -75,8 +80,7 @@ struct WebServer::Parts {
   Scheme scheme;
   std::string address;
   OwnNames names;
-  PageFiles page;
-  PageFiles manual;
+  ServedFiles files;
   Authentication authentication;
   DaemonProbe machine;
   Reception reception;
@@ -91,12 +95,12 @@ WebServer::Parts::Parts(const WebOptions& options)
       scheme(tls ? Scheme::https : Scheme::http),
       address((tls ? "https://" : "http://") + text_of(acceptor.local_endpoint())),
       names(own_names(options, scheme)),
-      page(options.page, "index.html"),
-      manual(options.manual, "README.md"),
+      files{.page = PageFiles(options.page, "index.html"),
+            .manual = PageFiles(options.manual, "README.md")},
       authentication(scheme, options.users,
                      [this](const auto& sessions) { connections.end_relays_of(sessions); }),
       machine(options.socket),
-      reception(page, manual, authentication, machine, names),
+      reception(files.page, files.manual, authentication, machine, names),
       services{.scheme = scheme,
                .reception = reception,
                .authentication = authentication,
