@@ -6,11 +6,12 @@ G43.5 H2
 G0 X1 I1 K1
 ; expect: rapid X1 B45 C0
 ; Its length does not count, and without a vector the tool keeps its direction.
-G1 Y2 J-20 K20 F600
-; expect: line Y2 B45 C90 F600
-X3
+Y2 J-20 K20
+; expect: rapid Y2 B45 C90
+G1 X3 F600
 ; expect: line X3 F600
-; A vector alone moves, too, by the modal motion; upright, C stays where it is.
+; A vector alone moves, too, by the modal motion, at feed on the great circle: here B alone turns in
+; the plane of both directions. Upright, C stays where it is.
 K1
 ; expect: line B0 C90 F600
 ; In the frame of the programmed coordinates: with a tilted plane, in the plane.
