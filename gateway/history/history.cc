@@ -21,6 +21,7 @@ const std::vector<std::vector<std::string>>& migrations() {
        "KEY (source, number))",
        "CREATE INDEX runs_by_time ON runs (ended_s)",
        "CREATE INDEX runs_by_machine ON runs (machine, ended_s)",
+       "CREATE INDEX runs_by_text ON runs (machine, program, version, ended_s, ok, time_s)",
        "CREATE TABLE alarms (source TEXT NOT NULL, number BIGINT NOT NULL, machine TEXT NOT NULL, "
        "time_s DOUBLE PRECISION NOT NULL, channel INTEGER NOT NULL, code TEXT NOT NULL, text TEXT "
        "NOT NULL, file TEXT, line BIGINT, PRIMARY KEY (source, number))",
@@ -96,12 +97,12 @@ void History::migrate() {
   Transaction transaction(*database_);
   database_->run("CREATE TABLE IF NOT EXISTS schema_version (version INTEGER NOT NULL)");
   const Rows rows = database_->run("SELECT version FROM schema_version");
-  const auto newest = static_cast<int>(migrations().size());
-  const int version = rows.empty() ? 0 : std::stoi(*rows[0][0]);
+  const std::size_t newest = migrations().size();
+  const std::size_t version = rows.empty() ? 0 : std::stoul(*rows[0][0]);
   if (version > newest)
     throw DatabaseError("the history has version " + std::to_string(version) +
                         ", made by a newer stanok; this one knows " + std::to_string(newest));
-  for (int step = version; step < newest; ++step)
+  for (std::size_t step = version; step < newest; ++step)
     for (const std::string& statement : migrations().at(step)) database_->run(statement);
   if (rows.empty())
     database_->run("INSERT INTO schema_version VALUES ($1)", {std::to_string(newest)});

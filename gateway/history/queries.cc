@@ -15,14 +15,15 @@ constexpr std::array run_columns{
     Column{"path_mm", number}, Column{"blocks", number}, Column{"ok", yes_no}};
 constexpr std::string_view runs_sql =
     "SELECT ended_s, machine, channel, program, version, time_s, path_mm, blocks, ok FROM runs "
-    "WHERE ended_s >= $1 AND ($2 = '' OR machine = $2) ORDER BY ended_s DESC LIMIT 1000";
+    "WHERE ended_s >= $1 AND ($2 = '' OR machine = $2) ORDER BY ended_s DESC, source, number LIMIT "
+    "1000";
 
 constexpr std::array alarm_columns{
     Column{"time", time}, Column{"machine", text}, Column{"channel", number}, Column{"code", text},
     Column{"text", text}, Column{"file", text},    Column{"line", number}};
 constexpr std::string_view alarms_sql =
     "SELECT time_s, machine, channel, code, text, file, line FROM alarms WHERE time_s >= $1 AND "
-    "($2 = '' OR machine = $2) ORDER BY time_s DESC LIMIT 1000";
+    "($2 = '' OR machine = $2) ORDER BY time_s DESC, source, number LIMIT 1000";
 
 // OEE by its three factors (ISO 22400-2): what of the time since then a program ran; how near its
 // runs that ended well come to the shortest one of the same text; what part of the runs ended well.
