@@ -216,7 +216,7 @@ describe('states', () => {
 
   test('a view that fails leaves hold and stop where they are', async () => {
     const failing = async (page) => {
-      await page.route('**/HelpView-*.js', (route) =>
+      await page.route('**/HistoryView-*.js', (route) =>
         route.fulfill({
           contentType: 'text/javascript',
           body: "export default function Fails() { throw new Error('as it was meant'); }",
@@ -224,7 +224,7 @@ describe('states', () => {
       );
     };
     const page = await stage.openMachine({ before: failing });
-    await page.evaluate(() => (location.hash = '#/help'));
+    await page.evaluate(() => (location.hash = '#/history'));
     await page.getByText('This view has failed').waitFor();
     assert.deepEqual(await findings(page), []);
     await page.locator('button.hold').click();
