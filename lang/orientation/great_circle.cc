@@ -87,9 +87,8 @@ std::optional<std::vector<TurnedPart>> great_circle(ActiveBlock& block,
     if (circle.has_plane()) there.tool_B = components(circle.at(part));
     const auto found = reachable_angles(block, there, from_B);
     if (!found) return std::nullopt;
-    const double off = circle.has_plane() ? farthest(block, circle, done, from_B, part,
-                                                     found->angles_B)
-                                          : 0.0;
+    const double off =
+        circle.has_plane() ? farthest(block, circle, done, from_B, part, found->angles_B) : 0.0;
     if (off > tolerance_rad) {
       step *= 0.5;
       if (step >= shortest_part) continue;

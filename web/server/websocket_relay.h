@@ -19,9 +19,9 @@
 #include <string>
 
 #include "web/access/sessions.h"
+#include "web/machine/machine_connection.h"
 #include "web/server/answer.h"
 #include "web/server/client_stream.h"
-#include "web/machine/machine_connection.h"
 
 namespace stanok::web {
 
