@@ -44,6 +44,7 @@ channels::MachineConfig machine_called(const std::string& name) {
 // Where the axes stand at the ends of the moves at feed, and where the tip is in the base then.
 struct FeedEnd {
   std::uint64_t block = 0;
+  bool stops = false;
   motion::Point axes_M{};
   motion::Point tip_B{};
   Point tool_B;
@@ -59,6 +60,7 @@ std::vector<FeedEnd> feed_ends(const channels::MachineConfig& machine, const std
     if (block == nullptr || block->rapid) return;
     FeedEnd end;
     end.block = block->tag.block;
+    end.stops = block->ending == motion::BlockEnding::exact_stop;
     const kinematics::Transform& transform = *block->transform;
     kinematics::inverse(transform, block->end, end.axes_M);
     transform.scheme->forward(kinematics::PointMode::tip, transform.tool, end.axes_M, end.tip_B);
@@ -290,6 +292,18 @@ TEST(TiltedPlaneOnMachine, NamesAxisLimitAndTheNearestDirection) {
     EXPECT_NE(found[0].message.find(part), std::string::npos) << found[0].message;
   EXPECT_FALSE(found[0].help.empty());
   EXPECT_TRUE(checked_plane("trunnion.toml", "G54\nG68.2 J50\nG53.1\nM30\n").empty());
+}
+
+// The parts of a move are one move: the axes stand at its end, and nowhere before.
+TEST(TiltedPlaneOnMachine, AVectorMoveStandsAtItsEndAloneInExactStop) {
+  const auto ends = feed_ends(machine_called("trunnion.toml"),
+                              "T2 M6\nS1000 M3\nG54 G0 X0 Y0 Z90\nG61.1 G43.5 H2\nG0 I0.3 K1 Z30\n"
+                              "G1 X10 J0.3 K1 F300\nX0 I0.3 K1\nG49\nM30\n");
+  ASSERT_GT(ends.size(), 10U);
+  for (std::size_t n = 0; n < ends.size(); ++n) {
+    const bool is_last = n + 1 == ends.size() || ends[n + 1].block != ends[n].block;
+    EXPECT_EQ(ends[n].stops, is_last) << n;
+  }
 }
 
 TEST(TiltedPlaneOnMachine, RefusesAVectorWithTheOtherBranchOnTheWay) {
