@@ -1,7 +1,8 @@
 #include "client/terminal/screen_text.h"
 
-#include <clocale>
-#include <cwchar>
+#include <utf8proc.h>
+
+#include <iterator>
 
 #include "base/place.h"
 #include "base/utf8.h"
@@ -18,27 +19,12 @@ struct Glyph {
   std::size_t columns = 0;
 };
 
-wchar_t code_point(std::string_view character) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
-  if (character.size() == 1) return static_cast<wchar_t>(byte(0));
-  constexpr std::size_t longest = 4;
-  const unsigned lead_bits = 0x7FU >> character.size();
-  unsigned point = byte(0) & lead_bits;
-  for (std::size_t i = 1; i < character.size() && i < longest; ++i)
-    point = point << 6U | (byte(i) & 0x3FU);
-  return static_cast<wchar_t>(point);
-}
-
-// wcwidth asks the locale; C.UTF-8 is part of the C library. It is not asked for before a character
-// needs it: where LOCPATH names a folder without it the C library loses the memory of the attempt.
 std::size_t columns_of(std::string_view character) {
   if (character.size() == 1) return 1;
-  static const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
-  if (utf8 == nullptr) return 1;
-  const locale_t before = uselocale(utf8);
-  const int columns = wcwidth(code_point(character));
-  uselocale(before);
-  return columns < 0 ? 1 : checked_size(columns);
+  utf8proc_int32_t code_point = -1;
+  utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(character.data()),
+                   std::ssize(character), &code_point);
+  return checked_size(utf8proc_charwidth(code_point));
 }
 
 Glyph glyph_at(std::string_view text, std::size_t at) {
