@@ -97,6 +97,24 @@ function(stanok_program name)
   install(TARGETS ${name} RUNTIME DESTINATION bin)
 endfunction()
 
+# stanok_plugin(<name> FOLDER <folder> DEPENDS <folder> LIBRARIES dependency...): <name>.so from all sources of the
+# folder, loaded by a program when it is wanted. It uses the headers of the folder that it DEPENDS on, nothing else.
+function(stanok_plugin name)
+  cmake_parse_arguments(ARG "" "FOLDER;DEPENDS" "LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${ARG_FOLDER}/*.cc)
+  add_library(${name} MODULE ${sources})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE stanok_warnings)
+  foreach(library IN LISTS ARG_LIBRARIES)
+    target_link_libraries(${name} PRIVATE stanok_dep_${library})
+  endforeach()
+  set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/stanok)
+  string(REPLACE "/" "_" user stanok_${ARG_DEPENDS})
+  add_dependencies(${user} ${name})
+  install(TARGETS ${name} LIBRARY DESTINATION lib/stanok)
+  set_property(GLOBAL APPEND PROPERTY STANOK_LAYERS "${ARG_FOLDER} ${ARG_DEPENDS}")
+endfunction()
+
 # stanok_tests(<folder> [LIBRARIES dependency...]): tests/<folder>/*_test.cc become <folder>_tests, one ctest each.
 function(stanok_tests folder)
   cmake_parse_arguments(ARG "" "" "TARGETS;LIBRARIES" ${ARGN})

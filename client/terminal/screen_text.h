@@ -1,7 +1,8 @@
 // Text as it stands on a screen: columns it takes, lines that fit, parts that are cut off.
 //
 // A character takes the columns that Unicode gives it (UAX 11, by utf8proc, whatever the locale
-// is): 2 for a wide one, 0 for an accent that goes on the character before. Colours (ECMA-48, Select Graphic Rendition) take none. Text is UTF-8.
+// is): 2 for a wide one, 0 for an accent that goes on the character before. Colours (ECMA-48,
+// Select Graphic Rendition) take none. Text is UTF-8.
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-#include "gateway/database/postgres_database.h"
+#include "gateway/database/postgres.h"
 #include "gateway/database/sqlite_database.h"
 
 namespace stanok::gateway {
@@ -30,8 +30,12 @@ bool is_server(const std::string& name) {
   return name.starts_with("postgresql://") || name.starts_with("postgres://");
 }
 
+bool holds_password(const std::string& name) {
+  return is_server(name) && postgres().holds_password(name);
+}
+
 std::unique_ptr<Database> open_database(const std::string& name) {
-  if (is_server(name)) return std::make_unique<PostgresDatabase>(name);
+  if (is_server(name)) return postgres().open(name);
   return std::make_unique<SqliteDatabase>(name);
 }
 

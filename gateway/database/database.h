@@ -56,6 +56,7 @@ class Transaction {
 
 [[nodiscard]] bool is_server(const std::string& name);
 // Whether the address of a server holds a password, which everybody on the computer could read.
+// Throws DatabaseError where stanok has no PostgreSQL.
 [[nodiscard]] bool holds_password(const std::string& name);
 
 // With all its digits.

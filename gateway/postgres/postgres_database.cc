@@ -1,4 +1,4 @@
-#include "gateway/database/postgres_database.h"
+#include "gateway/postgres/postgres_database.h"
 
 #include <array>
 #include <string_view>
@@ -66,9 +66,8 @@ Rows PostgresDatabase::run(const std::string& sql, const Row& values) {
   return rows_of(*result);
 }
 
-bool holds_password(const std::string& name) {
-  if (!is_server(name)) return false;
-  const std::unique_ptr<PQconninfoOption, Clear> options(PQconninfoParse(name.c_str(), nullptr));
+bool address_holds_password(const std::string& address) {
+  const std::unique_ptr<PQconninfoOption, Clear> options(PQconninfoParse(address.c_str(), nullptr));
   if (options == nullptr) return false;
   for (const PQconninfoOption* one = options.get(); one->keyword != nullptr; ++one)
     if (std::string_view(one->keyword) == "password" && one->val != nullptr) return true;

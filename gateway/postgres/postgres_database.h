@@ -26,4 +26,7 @@ class PostgresDatabase final : public Database {
   std::unique_ptr<PGconn, Close> connection_;
 };
 
+// Of what libpq understands as an address; false for anything else.
+[[nodiscard]] bool address_holds_password(const std::string& address);
+
 }  // namespace stanok::gateway
