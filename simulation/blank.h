@@ -10,7 +10,7 @@
 #include <string>
 
 #include "base/expected.h"
-#include "simulation/raster.h"
+#include "simulation/picture/raster.h"
 
 namespace stanok::simulation {
 

@@ -11,8 +11,8 @@
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
 #include "simulation/offcuts.h"
-#include "simulation/part_picture.h"
-#include "simulation/stl_file.h"
+#include "simulation/picture/part_picture.h"
+#include "simulation/picture/stl_file.h"
 
 namespace stanok::client {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/shaded_view.h"
+#include "simulation/picture/shaded_view.h"
 
 namespace stanok::simulation {
 

@@ -1,4 +1,4 @@
-#include "simulation/part_picture.h"
+#include "simulation/picture/part_picture.h"
 
 #include <cairo.h>
 #include <fmt/format.h>

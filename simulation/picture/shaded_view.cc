@@ -1,7 +1,7 @@
 // Rasterised with a depth buffer at twice the size, normals interpolated; then shaded pixel by
 // pixel: two lights that stand with the eye, shadows in corners from the depths round about, a dark
 // line where the depth jumps.
-#include "simulation/shaded_view.h"
+#include "simulation/picture/shaded_view.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Format: 80 bytes of title, the number of triangles, and for each its normal, its three corners
 // and two bytes that are 0; little endian.
-#include "simulation/stl_file.h"
+#include "simulation/picture/stl_file.h"
 
 #include <bit>
 #include <cerrno>
