@@ -4,15 +4,25 @@
 #include <cmath>
 #include <limits>
 
+#include "simulation/swept_section.h"
+
 namespace stanok::simulation {
 namespace {
 
 constexpr int steps_max = 1'000'000;
+constexpr double turn_share = 0.1;  // of the tolerance, for what counts as no turn
+
+Bounds bounds_of(const Body& body, const ToolMove& move) {
+  Bounds bounds = simulation::bounds_of(body, move.begin);
+  bounds.low += move.way.cwiseMin(0.0);
+  bounds.high += move.way.cwiseMax(0.0);
+  return bounds;
+}
 
 // Calls visit(ray, from, to) for every ray with material that the body covers a stretch of, until
 // it returns false.
 template <class Visitor>
-void visit_covered(const Material& material, const Body& body, const ToolPlace& place, int axis,
+void visit_covered(const Material& material, const Body& body, const ToolMove& move, int axis,
                    const Bounds& bounds, Visitor&& visit) {
   const Grid& grid = material.grid();
   const RayFamily& family = material.family(axis);
@@ -21,7 +31,7 @@ void visit_covered(const Material& material, const Body& body, const ToolPlace& 
   const int second_axis = (axis + 2) % 3;
   const auto low = static_cast<float>(bounds.low[axis]);
   const auto high = static_cast<float>(bounds.high[axis]);
-  const BodySection section(body, place, axis);
+  const SweptSection section(body, move.begin, move.way, axis);
   for (int second = window.second_from; second < window.second_to; ++second) {
     const double v = grid.middle(second_axis, second);
     double u_from = 0.0;
@@ -63,51 +73,49 @@ double parts_of_way(double way, double step) {
 
 }  // namespace
 
-double remove(Material& material, const Body& body, const ToolPlace& place) {
-  const Bounds bounds = bounds_of(body, place);
+double remove(Material& material, const Body& body, const ToolMove& move) {
+  const Bounds bounds = bounds_of(body, move);
   if (!bounds.meets(material.bounds())) return 0.0;
   double volume = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     double length = 0.0;
-    visit_covered(material, body, place, axis, bounds,
-                  [&](std::size_t ray, double from, double to) {
-                    length += material.subtract(axis, ray, from, to);
-                    return true;
-                  });
+    visit_covered(material, body, move, axis, bounds, [&](std::size_t ray, double from, double to) {
+      length += material.subtract(axis, ray, from, to);
+      return true;
+    });
     volume += length * material.section(axis);
   }
   return volume / 3.0;
 }
 
-double covered(const Material& material, const Body& body, const ToolPlace& place) {
+double covered(const Material& material, const Body& body, const ToolMove& move) {
   if (body.segments.empty()) return 0.0;
-  const Bounds bounds = bounds_of(body, place);
+  const Bounds bounds = bounds_of(body, move);
   if (!bounds.meets(material.bounds())) return 0.0;
   double volume = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     double length = 0.0;
     const RayFamily& family = material.family(axis);
-    visit_covered(material, body, place, axis, bounds,
-                  [&](std::size_t ray, double from, double to) {
-                    length += family.overlap(ray, from, to);
-                    return true;
-                  });
+    visit_covered(material, body, move, axis, bounds, [&](std::size_t ray, double from, double to) {
+      length += family.overlap(ray, from, to);
+      return true;
+    });
     volume += length * material.section(axis);
   }
   return volume / 3.0;
 }
 
 bool touches(const Material& material, const Body& body, const ToolPlace& place) {
-  const Bounds bounds = bounds_of(body, place);
+  const ToolMove move{place};
+  const Bounds bounds = bounds_of(body, move);
   if (!bounds.meets(material.bounds())) return false;
   bool met = false;
   for (int axis = 0; axis < 3 && !met; ++axis) {
     const RayFamily& family = material.family(axis);
-    visit_covered(material, body, place, axis, bounds,
-                  [&](std::size_t ray, double from, double to) {
-                    met = family.overlap(ray, from, to) > 0.0;
-                    return !met;
-                  });
+    visit_covered(material, body, move, axis, bounds, [&](std::size_t ray, double from, double to) {
+      met = family.overlap(ray, from, to) > 0.0;
+      return !met;
+    });
   }
   return met;
 }
@@ -136,6 +144,24 @@ int steps_between(const ToolSolid& tool, const ToolPlace& from, const ToolPlace&
     parts = std::max(parts, edge_parts);
   }
   return static_cast<int>(std::ceil(std::min(parts, static_cast<double>(steps_max))));
+}
+
+std::vector<ToolMove> moves_between(const ToolSolid& tool, const ToolPlace& from,
+                                    const ToolPlace& to, double tolerance) {
+  if (tool.bodies.empty()) return {};
+  std::vector<ToolMove> moves;
+  const Vector way = to.tip - from.tip;
+  if ((to.axis - from.axis).norm() * tool.bodies.back().top() <= turn_share * tolerance) {
+    const double longest = 2.0 * std::max(tool.radius, tolerance);
+    const double count = std::clamp(std::ceil(way.norm() / longest), 1.0, double{steps_max});
+    for (int i = 0; i < count; ++i)
+      moves.push_back({{from.tip + i / count * way, to.axis}, way / count});
+    return moves;
+  }
+  const int steps = steps_between(tool, from, to, tolerance);
+  for (int i = 1; i <= steps; ++i)
+    moves.push_back({place_between(from, to, static_cast<double>(i) / steps)});
+  return moves;
 }
 
 ToolPlace place_between(const ToolPlace& from, const ToolPlace& to, double part) {

@@ -1,16 +1,24 @@
-// A rotating tool on its way through the material: positions so close that what they leave between
-// them is below a tolerance.
+// A rotating tool on its way through the material: swept exactly while its axis keeps its
+// direction, else in positions so close that what they leave between them is below a tolerance.
 #pragma once
 
 #include "simulation/tool_solid.h"
 
 namespace stanok::simulation {
 
-// Takes away what the body covers; mm³, by the mean of the three families.
-double remove(Material& material, const Body& body, const ToolPlace& place);
+// A tool from a place along a straight way, its axis as it is.
+struct ToolMove {
+  ToolPlace begin;
+  Vector way = Vector::Zero();
 
-// What the body covers; mm³.
-[[nodiscard]] double covered(const Material& material, const Body& body, const ToolPlace& place);
+  [[nodiscard]] Vector end() const { return begin.tip + way; }
+};
+
+// Takes away what the body sweeps; mm³, by the mean of the three families.
+double remove(Material& material, const Body& body, const ToolMove& move);
+
+// What the body sweeps; mm³.
+[[nodiscard]] double covered(const Material& material, const Body& body, const ToolMove& move);
 
 // Whether the body covers anything; ends with the first ray that it does.
 [[nodiscard]] bool touches(const Material& material, const Body& body, const ToolPlace& place);
@@ -20,6 +28,11 @@ double remove(Material& material, const Body& body, const ToolPlace& place);
 // and across the tool's axis leaves steps of d sin θ cos θ.
 [[nodiscard]] int steps_between(const ToolSolid& tool, const ToolPlace& from, const ToolPlace& to,
                                 double tolerance);
+
+// The moves that stand for the way from one place to the other: straight ones where the axis keeps
+// its direction within `tolerance`, so short that a finding has a place, else the steps between.
+[[nodiscard]] std::vector<ToolMove> moves_between(const ToolSolid& tool, const ToolPlace& from,
+                                                  const ToolPlace& to, double tolerance);
 
 [[nodiscard]] ToolPlace place_between(const ToolPlace& from, const ToolPlace& to, double part);
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "simulation/quadratic_stretch.h"
+
 namespace stanok::simulation {
 namespace {
 
 constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr double point_angle_default = 118.0;  // deg, of twist drills for steel (DIN 1414, type N)
-constexpr double parallel = 1e-9;
-constexpr double infinite = 1e30;
-constexpr double flute_default = 8.0;   // radii, where the table gives no length at all
+constexpr double flute_default = 8.0;          // radii, where the table gives no length at all
 constexpr double stylus_default = 0.6;  // of the radius of the ball, where the table says nothing
 
 ProfileSegment cylinder(double from, double to, double radius) {
@@ -144,35 +144,6 @@ void add_body(ToolSolid& solid, Part part, std::vector<ProfileSegment> segments,
   solid.bodies.push_back({part, std::move(segments)});
 }
 
-// Leaves of [low, high] what has A x² + 2 B x + C <= 0; false when that is nothing. Inside of both
-// nappes of a cone (A < 0) the heights have left one of them.
-bool narrow(double A, double inverse_A, double B, double C, double& low, double& high) {
-  if (inverse_A == 0.0) {
-    if (std::abs(B) < parallel) return C <= 0.0;
-    const double root = -C / (2.0 * B);
-    if (B > 0.0) {
-      high = std::min(high, root);
-    } else {
-      low = std::max(low, root);
-    }
-    return low < high;
-  }
-  const double discriminant = B * B - A * C;
-  if (discriminant <= 0.0) return A < 0.0 && low < high;
-  const double root = std::sqrt(discriminant);
-  const double one = (-B - root) * inverse_A;
-  const double other = (-B + root) * inverse_A;
-  if (A > 0.0) {
-    low = std::max(low, one);
-    high = std::min(high, other);
-  } else if (low < other) {
-    high = std::min(high, other);
-  } else {
-    low = std::max(low, one);
-  }
-  return low < high;
-}
-
 }  // namespace
 
 double ProfileSegment::radius_at(double height) const {
@@ -240,6 +211,13 @@ bool touches(const ToolSolid& tool, const ToolPlace& place, const Disc& disc) {
   return false;
 }
 
+double radius_of(const Body& body) {
+  double radius = 0.0;
+  for (const ProfileSegment& segment : body.segments)
+    radius = std::max(radius, radius_max(segment));
+  return radius;
+}
+
 Bounds bounds_of(const Body& body, const ToolPlace& place) {
   Bounds bounds{Vector::Constant(1e300), Vector::Constant(-1e300)};
   const Vector across = (Vector::Ones() - place.axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
@@ -255,7 +233,7 @@ Bounds bounds_of(const Body& body, const ToolPlace& place) {
 }
 
 BodySection::BodySection(const Body& body, const ToolPlace& place, int axis)
-    : bottom_(body.bottom()), top_(body.top()) {
+    : radius_(radius_of(body)), bottom_(body.bottom()), top_(body.top()) {
   for (int k = 0; k < 3; ++k) {
     tip_[k] = place.tip[(axis + k) % 3];
     axis_[k] = place.axis[(axis + k) % 3];
@@ -267,7 +245,6 @@ BodySection::BodySection(const Body& body, const ToolPlace& place, int axis)
     const double k = 1.0 + segment.c2;
     const double A = 1.0 - k * slope * slope;
     cuts_.push_back({segment, k, A, std::abs(A) > parallel ? 1.0 / A : 0.0});
-    radius_ = std::max(radius_, radius_max(segment));
   }
 }
 
@@ -304,8 +281,8 @@ bool BodySection::meet(double first, double second, double& from, double& to) co
   bool met = false;
   for (const Cut& cut : cuts_) {
     const ProfileSegment& segment = cut.segment;
-    double low = -infinite;
-    double high = infinite;
+    Stretch stretch;
+    auto& [low, high] = stretch;
     if (inverse_slope_ != 0.0) {
       low = (segment.from - a0) * inverse_slope_;
       high = (segment.to - a0) * inverse_slope_;
@@ -315,7 +292,7 @@ bool BodySection::meet(double first, double second, double& from, double& to) co
     }
     const double B = -cut.k * a0 * a1 - segment.c1 * a1 / 2.0;
     const double C = p0 - cut.k * a0 * a0 - segment.c1 * a0 - segment.c0;
-    if (!narrow(cut.A, cut.inverse_A, B, C, low, high)) continue;
+    if (!narrow(stretch, cut.A, cut.inverse_A, B, C)) continue;
     from = met ? std::min(from, low) : low;
     to = met ? std::max(to, high) : high;
     met = true;

@@ -69,6 +69,8 @@ struct Disc {
 [[nodiscard]] bool touches(const ToolSolid& tool, const ToolPlace& place, const Disc& disc);
 
 [[nodiscard]] Bounds bounds_of(const Body& body, const ToolPlace& place);
+// At its widest place.
+[[nodiscard]] double radius_of(const Body& body);
 
 // The lines along one axis of K through a body that stands somewhere; what all of them share is
 // computed once.

@@ -45,28 +45,26 @@ void Workpiece::mill(const MillingTool& tool, const ToolPlace& from, const ToolP
       tool.solid.bodies, [&](const Body& body) { return may_touch(material_, body, from, to); });
   if (!touches) return;
   if (CutMarks* marks = material_.marks()) marks->set_tool(circumstances.tool);
-  const int steps = steps_between(tool.solid, from, to, deviation());
-  for (int i = 1; i <= steps; ++i) {
-    mill_at(tool, place_between(from, to, static_cast<double>(i) / steps), circumstances);
-  }
+  for (const ToolMove& move : moves_between(tool.solid, from, to, deviation()))
+    mill_along(tool, move, circumstances);
 }
 
-void Workpiece::mill_at(const MillingTool& tool, const ToolPlace& place,
-                        const Circumstances& circumstances) {
+void Workpiece::mill_along(const MillingTool& tool, const ToolMove& move,
+                           const Circumstances& circumstances) {
   double removed = 0.0;
   for (std::size_t i = 0; i < tool.solid.bodies.size(); ++i) {
     const Body& body = tool.solid.bodies[i];
     if (body.part != Part::cutting || circumstances.rapid) {
-      const double contact = covered(material_, tool.core.bodies[i], place);
+      const double contact = covered(material_, tool.core.bodies[i], move);
       if (contact <= 0.0) continue;
-      find(kind_of(body.part), contact, place.tip, circumstances);
+      find(kind_of(body.part), contact, move.end(), circumstances);
     }
-    removed += remove(material_, body, place);
+    removed += remove(material_, body, move);
   }
   if (removed <= 0.0) return;
   count(removed, circumstances);
   if (!circumstances.spindle_turns && !circumstances.rapid)
-    find(FindingKind::spindle_stood, removed, place.tip, circumstances);
+    find(FindingKind::spindle_stood, removed, move.end(), circumstances);
 }
 
 bool Workpiece::touches(const ToolSolid& probe, const ToolPlace& place) const {

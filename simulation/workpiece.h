@@ -38,8 +38,10 @@ struct TurningTool {
   Polygon core;
 };
 
-// Deviations are parts of the resolution: of steps, of rounded corners, and of the core of a tool.
+// Deviations are parts of the resolution: of steps while the tool turns, of the straight ways that
+// stand for a bent one, of rounded corners, and of the core of a tool.
 inline constexpr double sweep_deviation = 0.1;
+inline constexpr double chord_deviation = 0.004;
 inline constexpr double rounding_deviation = 0.02;
 inline constexpr double core_depth = 0.3;
 
@@ -70,11 +72,14 @@ class Workpiece {
   // nullptr: it is not noted.
   [[nodiscard]] CutMarks* marks() { return material_.marks(); }
   [[nodiscard]] const CuttingReport& report() const { return report_; }
-  // How far what is swept may be from what the tool swept, mm.
+  // How far what is swept may be from what a turning tool swept, mm.
   [[nodiscard]] double deviation() const { return sweep_deviation * blank_.resolution; }
+  // How far the ways that are swept may be from those of the tool, mm.
+  [[nodiscard]] double way_deviation() const { return chord_deviation * blank_.resolution; }
 
  private:
-  void mill_at(const MillingTool& tool, const ToolPlace& place, const Circumstances& circumstances);
+  void mill_along(const MillingTool& tool, const ToolMove& move,
+                  const Circumstances& circumstances);
   void count(double removed_mm3, const Circumstances& circumstances);
   void find(FindingKind kind, double volume, const Vector& place_K,
             const Circumstances& circumstances);

@@ -201,7 +201,7 @@ bool WorkpieceFollower::lies_on_the_way(const ToolPlace& end) const {
   for (std::size_t i = stations_.size(); i > 0; i -= std::min(i, stride)) {
     for (const double height : {0.0, tool_->reach}) {
       if (deviation_from_way(begin.at(height), end.at(height),
-                             stations_[i - 1].place_K.at(height)) > workpiece_->deviation())
+                             stations_[i - 1].place_K.at(height)) > workpiece_->way_deviation())
         return false;
     }
   }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "simulation/swept_section.h"
+
 namespace stanok::simulation {
 namespace {
 
@@ -120,6 +122,73 @@ TEST_P(ToolSolidTest, IsMetByLinesWhereItsPointsAre) {
     }
   }
   EXPECT_GT(met, 1000);
+}
+
+// The interval of a swept body is the hull of those of many bodies on the way; the ends of the way
+// and the places between two of them are hulls of less.
+TEST_P(ToolSolidTest, SweepsWhatItCoversOnTheWay) {
+  constexpr int places = 1000;
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  const ToolSolid solid = solid_of(GetParam().shape, 0.02);
+  int met = 0;
+  int wider_than_both_ends = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    ToolPlace place{Vector(normal(random), normal(random), normal(random)),
+                    Vector(normal(random), normal(random), normal(random)).normalized()};
+    Vector way(normal(random), normal(random), normal(random));
+    way *= solid.radius;
+    if (trial % 3 == 0) place.axis = Vector::UnitZ();
+    if (trial % 6 == 0) way.z() = 0.0;
+    if (trial % 6 == 3) way = Vector(0.0, 0.0, way.z());
+    const int axis = trial % 7 % 3;
+    for (const Body& body : solid.bodies) {
+      const Vector through =
+          place.at(body.bottom() + (body.top() - body.bottom()) * part(random)) +
+          part(random) * way +
+          Vector(normal(random), normal(random), normal(random)) * solid.radius / 2.0;
+      const double first = through[(axis + 1) % 3];
+      const double second = through[(axis + 2) % 3];
+      double low = 1e9;
+      double high = -1e9;
+      double ends_low = 1e9;
+      double ends_high = -1e9;
+      double from = 0.0;
+      double to = 0.0;
+      for (int i = 0; i <= places; ++i) {
+        const BodySection there(
+            body, {place.tip + static_cast<double>(i) / places * way, place.axis}, axis);
+        if (!there.meet(first, second, from, to)) continue;
+        low = std::min(low, from);
+        high = std::max(high, to);
+        if (i > 0 && i < places) continue;
+        ends_low = std::min(ends_low, from);
+        ends_high = std::max(ends_high, to);
+      }
+      const SweptSection swept(body, place, way, axis);
+      const bool meets = swept.meet(first, second, from, to);
+      if (low > high) {
+        // A line that only grazes the body may be found by the exact one alone.
+        EXPECT_TRUE(!meets || to - from < 0.2) << trial;
+        continue;
+      }
+      ASSERT_TRUE(meets) << trial;
+      EXPECT_LE(from, low + 1e-9) << trial;
+      EXPECT_GE(to, high - 1e-9) << trial;
+      // Between two of the places a round flank goes on by less than half a step at the rim.
+      EXPECT_NEAR(to - from, high - low, 4.0 * way.norm() / places + 0.02) << trial;
+      double row_from = 0.0;
+      double row_to = 0.0;
+      EXPECT_TRUE(swept.row(second, row_from, row_to)) << trial;
+      EXPECT_LE(row_from, first) << trial;
+      EXPECT_GE(row_to, first) << trial;
+      ++met;
+      if (to - from > ends_high - ends_low + 0.1) ++wider_than_both_ends;
+    }
+  }
+  EXPECT_GT(met, 300);
+  EXPECT_GT(wider_than_both_ends, 20);
 }
 
 TEST_P(ToolSolidTest, KeepsItsCoreWithin) {

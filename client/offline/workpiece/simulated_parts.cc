@@ -46,7 +46,8 @@ bool SimulatedParts::finish(const std::vector<channels::RunReport>& runs) {
   for (const auto& feed : simulated_->feeds()) {
     feed->follower().flush();
     for (const auto& workpiece : feed->follower().workpieces()) {
-      workpieces_.push_back({workpiece.get(), title_of(*workpiece, names_, feed->channel())});
+      workpieces_.push_back(
+          {workpiece.get(), title_of(*workpiece, names_, feed->channel()), removal_of(*workpiece)});
     }
   }
   if (workpieces_.empty() && !refused_ && files_.is_wanted())
@@ -60,7 +61,7 @@ bool SimulatedParts::finish(const std::vector<channels::RunReport>& runs) {
 nlohmann::ordered_json SimulatedParts::json() const {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const NamedWorkpiece& named : workpieces_) {
-    json.push_back(to_json(*named.workpiece, names_));
+    json.push_back(to_json(named, names_));
     json.back()["program"] = named.title;
   }
   return json;

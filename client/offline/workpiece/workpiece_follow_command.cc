@@ -100,7 +100,7 @@ int end(const FollowOptions& options, WorkpieceStream& stream, Album& album) {
   if (options.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const NamedWorkpiece& named : workpieces) {
-      json.push_back(to_json(*named.workpiece, stream.names()));
+      json.push_back(to_json(named, stream.names()));
       json.back()["program"] = named.title;
     }
     write_json(json);

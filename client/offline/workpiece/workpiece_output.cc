@@ -80,11 +80,10 @@ simulation::PictureLabels labels_of(const NamedWorkpiece& named,
   const Workpiece& workpiece = *named.workpiece;
   simulation::PictureLabels labels;
   labels.title = named.title;
-  labels.facts = {
-      fmt::format("resolution {:g} mm, {} findings", workpiece.blank().resolution,
-                  workpiece.report().findings().size()),
-      fmt::format("removed {:.1f} cm³ of {:.1f} cm³", workpiece.report().removed_mm3() / 1000.0,
-                  volume_of(workpiece.blank()) / 1000.0)};
+  labels.facts = {fmt::format("resolution {:g} mm, {} findings", workpiece.blank().resolution,
+                              workpiece.report().findings().size()),
+                  fmt::format("removed {:.1f} cm³ of {:.1f} cm³", named.removal.volume_mm3 / 1000.0,
+                              volume_of(workpiece.blank()) / 1000.0)};
   if (offcuts.count > 0) {
     labels.facts.push_back(fmt::format(
         "{} not shown: {:.1f} cm³",
@@ -95,11 +94,11 @@ simulation::PictureLabels labels_of(const NamedWorkpiece& named,
   return labels;
 }
 
-std::string write_report(const Workpiece& workpiece, const FileNames& name_of,
+std::string write_report(const NamedWorkpiece& named, const FileNames& name_of,
                          const std::string& file) {
-  nlohmann::ordered_json json = to_json(workpiece, name_of);
+  nlohmann::ordered_json json = to_json(named, name_of);
   json["blocks"] = nlohmann::ordered_json::array();
-  for (const BlockRemoval& block : workpiece.report().blocks())
+  for (const BlockRemoval& block : named.removal.blocks)
     json["blocks"].push_back(block_json(block, name_of));
   std::ofstream stream(file);
   stream << protocol::json_text(json, protocol::JsonLayout::indented) << '\n';
@@ -133,13 +132,14 @@ std::string title_of(const Workpiece& workpiece, const FileNames& name_of, int c
   return title.empty() ? "channel " + std::to_string(channel) : title;
 }
 
-nlohmann::ordered_json to_json(const Workpiece& workpiece, const FileNames& name_of) {
-  const std::vector<BlockRemoval> blocks = workpiece.report().blocks();
+nlohmann::ordered_json to_json(const NamedWorkpiece& named, const FileNames& name_of) {
+  const Workpiece& workpiece = *named.workpiece;
+  const auto& [removed_mm3, blocks] = named.removal;
   nlohmann::ordered_json json = {{"blank", array_of(workpiece.blank().size)},
                                  {"resolution_mm", workpiece.blank().resolution},
                                  {"blank_mm3", volume_of(workpiece.blank())},
-                                 {"removed_mm3", workpiece.report().removed_mm3()},
-                                 {"left_mm3", workpiece.material().volume()},
+                                 {"removed_mm3", removed_mm3},
+                                 {"left_mm3", volume_of(workpiece.blank()) - removed_mm3},
                                  {"blocks_cutting", blocks.size()},
                                  {"rate_max_mm3_per_s", rate_max(blocks)}};
   json["findings"] = nlohmann::ordered_json::array();
@@ -157,7 +157,7 @@ std::vector<std::string> write_files(const std::vector<NamedWorkpiece>& workpiec
   for (std::size_t i = 0; i < workpieces.size(); ++i) {
     const Workpiece& workpiece = *workpieces[i].workpiece;
     if (!files.report.empty())
-      note(write_report(workpiece, name_of, numbered(files.report, i + 1)));
+      note(write_report(workpieces[i], name_of, numbered(files.report, i + 1)));
     if (files.stl.empty() && files.picture.empty()) continue;
     simulation::Mesh mesh = surface_of(workpiece.material());
     const simulation::Offcuts offcuts = take_off_offcuts(mesh);
@@ -196,12 +196,12 @@ void print(const std::vector<NamedWorkpiece>& workpieces, const FileNames& name_
   for (const NamedWorkpiece& named : workpieces) {
     const Workpiece& workpiece = *named.workpiece;
     print_findings(workpiece, name_of);
-    const std::vector<BlockRemoval> blocks = workpiece.report().blocks();
+    const auto& [removed_mm3, blocks] = named.removal;
     write_data(
         fmt::format("workpiece of {}: removed {:.2f} of {:.2f} mm³ in {} blocks, at most {:.1f} "
                     "mm³/s, {} findings\n",
-                    named.title, workpiece.report().removed_mm3(), volume_of(workpiece.blank()),
-                    blocks.size(), rate_max(blocks), workpiece.report().findings().size()));
+                    named.title, removed_mm3, volume_of(workpiece.blank()), blocks.size(),
+                    rate_max(blocks), workpiece.report().findings().size()));
   }
 }
 

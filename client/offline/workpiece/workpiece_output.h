@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/workpiece.h"
+#include "simulation/removed_volume.h"
 
 namespace stanok::client {
 
@@ -24,6 +24,7 @@ struct WorkpieceFiles {
 struct NamedWorkpiece {
   const simulation::Workpiece* workpiece = nullptr;
   std::string title;
+  simulation::Removal removal;
 };
 
 // The name of the program file that a motion comes from.
@@ -41,8 +42,7 @@ using FileNames = std::function<std::string(const simulation::Origin&)>;
 // The main program that cuts it, or "channel 1".
 [[nodiscard]] std::string title_of(const simulation::Workpiece& workpiece, const FileNames& name_of,
                                    int channel);
-[[nodiscard]] nlohmann::ordered_json to_json(const simulation::Workpiece& workpiece,
-                                             const FileNames& name_of);
+[[nodiscard]] nlohmann::ordered_json to_json(const NamedWorkpiece& named, const FileNames& name_of);
 
 // One line to stderr: "error[E9203]: channel 1: ..."; channel 0: none.
 void complain(int channel, const std::string& code, const std::string& text);

@@ -118,7 +118,7 @@ std::vector<NamedWorkpiece> WorkpieceStream::workpieces() {
   for (auto& [id, channel] : channels_) {
     channel.feed->follower().flush();
     for (const auto& workpiece : channel.feed->follower().workpieces()) {
-      named.push_back({workpiece.get(), title_of(*workpiece, name_of, id)});
+      named.push_back({workpiece.get(), title_of(*workpiece, name_of, id), removal_of(*workpiece)});
     }
   }
   return named;

@@ -2,11 +2,13 @@
 // are followed, announcements that cannot be.
 #include "client/offline/workpiece/simulated_parts.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include "client/offline/workpiece/workpiece_stream.h"
 #include "recording/format/decode.h"
@@ -69,7 +71,7 @@ class WorkpieceRun : public ::testing::Test {
     const auto workpieces = stream.workpieces();
     EXPECT_EQ(workpieces.size(), 1U);
     EXPECT_EQ(workpieces.at(0).title, "part.nc");
-    return to_json(*workpieces.at(0).workpiece, stream.names());
+    return to_json(workpieces.at(0), stream.names());
   }
 
   // What is missing of the log when the setpoints of these cycles did not come.
@@ -261,6 +263,37 @@ M30
   ASSERT_EQ(workpieces.size(), 1U);
   EXPECT_NEAR(workpieces[0]["removed_mm3"], 80.0 * 12.0 + 60.0 * 12.0 - 36.0 * 2.0, 20.0);
   EXPECT_THAT(findings_of(workpieces[0]), IsEmpty());
+}
+
+// A pocket with corners of radius R and the volume D (L W - (4 - π) R²): three places and sizes at
+// which its faces lie anyhow in the grid, milled with the flat end mill of 6.
+TEST_F(WorkpieceRun, APocketWithRoundCornersHasItsVolumeWithinTwoTenThousandths) {
+  struct Pocket {
+    double length, width, depth, corner, zero_x;
+  };
+  for (const Pocket& it : {Pocket{40.0, 30.0, 5.0, 5.0, 40.0}, Pocket{36.3, 28.7, 6.2, 6.0, 40.1},
+                           Pocket{25.0, 25.0, 8.0, 10.0, 39.93}}) {
+    const double x = it.length / 2.0 - 3.0;
+    const double y = it.width / 2.0 - 3.0;
+    const double r = it.corner - 3.0;
+    std::string program = fmt::format(
+        "G21 G90 G17 G40 G49 G80 G54\nT3 M6\nS9000 M3\nG0 X0 Y0\nG43 H3 Z50\n"
+        "#workpiece (0, 0.25, 0, 80, 60, 20, {}, 30, 20)\nG0 Z2\nG1 Z{} F3000\n",
+        it.zero_x, -it.depth);
+    for (double part = 0.15; part < 0.8; part += 0.15)
+      program += fmt::format("G1 X{0} Y-{1}\nY{1}\nX-{0}\nY-{1}\nX{0}\n", part * x, part * y);
+    program += fmt::format(
+        "G1 X0 Y-{y}\nX{l}\nG3 X{x} Y-{w} R{r}\nG1 Y{w}\nG3 X{l} Y{y} R{r}\nG1 X-{l}\n"
+        "G3 X-{x} Y{w} R{r}\nG1 Y-{w}\nG3 X-{l} Y-{y} R{r}\nG1 X0\nG0 Z50\nM30\n",
+        fmt::arg("x", x), fmt::arg("y", y), fmt::arg("l", x - r), fmt::arg("w", y - r),
+        fmt::arg("r", r));
+    const double volume =
+        it.depth * (it.length * it.width - (4.0 - std::numbers::pi) * it.corner * it.corner);
+    const auto workpieces = run("e7106mf4.toml", program);
+    ASSERT_EQ(workpieces.size(), 1U);
+    EXPECT_NEAR(workpieces[0]["removed_mm3"], volume, 2e-4 * volume) << it.length;
+    EXPECT_NEAR(workpieces[0]["left_mm3"], 80.0 * 60.0 * 20.0 - volume, 2e-4 * volume);
+  }
 }
 
 // Slots of 2 x 60 across the block with the flat end mill of 6: one as the table of the machine has
