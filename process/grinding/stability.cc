@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "process/grinding/force_law.h"
 
@@ -22,27 +23,34 @@ double stability_margin(const GrindingProcess& process) {
   return limit_n_per_mm / stiffness_of_thinnest_layer(process);
 }
 
-// The waves of all frequencies between a fifth of the natural one and ten times it: others die
-// out faster.
+// A wave that comes n times in a revolution tau, e^(s t), is met again as e^(s tau) times itself:
+// (C + b s + m s²) / k = e^(-s tau) - 1. Its s is the root of f(s) = s tau + ln(1 + R(s)/k) - 2 pi
+// n i with R the resistance on the left; Newton's method from the s of a wave that stays. Counted
+// between a fifth of the natural frequency and ten times it: others die out faster.
 double wave_growth(const GrindingProcess& process) {
-  constexpr int waves = 4000;
   constexpr double lowest = 0.2;
   constexpr double highest = 10.0;
-  constexpr int rounds = 4;  // of the growth within one period, which is little
+  constexpr int rounds_max = 30;
+  constexpr double settled = 1e-12;                                // of s tau
   const double k = 1000.0 * stiffness_of_thinnest_layer(process);  // N/m
   const double natural = std::sqrt(process.stiffness_n_per_m / process.mass_kg);
   const double turn_s = revolution_s(process);
+  const double natural_waves = natural * turn_s / (2.0 * std::numbers::pi);
+  const double first = std::max(1.0, std::floor(lowest * natural_waves));
   double greatest = 0.0;
-  for (int n = 0; n <= waves; ++n) {
-    const double w = natural * lowest * std::pow(highest / lowest, static_cast<double>(n) / waves);
-    double growth = 1.0;
-    for (int round = 0; round < rounds; ++round) {
-      const std::complex<double> s(std::log(growth) / turn_s, w);
-      const std::complex<double> resistance =
-          process.stiffness_n_per_m + process.damping_n_s_per_m * s + process.mass_kg * s * s;
-      growth = 1.0 / std::abs(1.0 + resistance / k);
+  for (double n = first; n <= highest * natural_waves + 1.0; n += 1.0) {
+    const std::complex<double> turned(0.0, 2.0 * std::numbers::pi * n);
+    std::complex<double> s = turned / turn_s;
+    for (int round = 0; round < rounds_max; ++round) {
+      const std::complex<double> whole =
+          k + process.stiffness_n_per_m + process.damping_n_s_per_m * s + process.mass_kg * s * s;
+      const std::complex<double> slope =
+          turn_s + (process.damping_n_s_per_m + 2.0 * process.mass_kg * s) / whole;
+      const std::complex<double> step = (s * turn_s + std::log(whole / k) - turned) / slope;
+      s -= step;
+      if (std::abs(step) * turn_s < settled) break;
     }
-    greatest = std::max(greatest, growth);
+    greatest = std::max(greatest, std::exp(s.real() * turn_s));
   }
   return greatest;
 }

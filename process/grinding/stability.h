@@ -14,9 +14,8 @@ namespace stanok::process {
 [[nodiscard]] double stability_margin(const GrindingProcess& process);
 
 // By how much the wave that grows most is higher after a revolution; below 1 all of them die out.
-// With m s^2 + b s + C + k (1 - e^(-s tau)) = 0 for a wave e^(s t) it is
-// |e^(s tau)| = 1 / |1 + (C + b s + m s^2) / k|, greatest over the frequencies: many of them fit
-// into a revolution, so that none misses it by much.
+// |e^(s tau)| of the roots of m s^2 + b s + C + k (1 - e^(-s tau)) = 0, one for each whole number
+// of waves in a revolution.
 [[nodiscard]] double wave_growth(const GrindingProcess& process);
 
 }  // namespace stanok::process

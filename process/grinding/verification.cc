@@ -15,6 +15,19 @@ constexpr std::array stiffness_factors{0.5, 1.5};
 // Rounding of feeds and time steps; not a crossing of the boundary.
 constexpr double ratio_noise = 1e-3;
 
+// Peaks stand at kinks of the table, between two steps: a table is judged with finer ones than
+// those that find it.
+constexpr int refinement = 5;
+
+// Leaves as many as the steps asked for give, the last one among them.
+void thin_out(std::vector<PlungeSample>& samples) {
+  std::size_t kept = 0;
+  for (std::size_t i = (samples.size() + refinement - 1) % refinement; i < samples.size();
+       i += refinement)
+    samples[kept++] = samples[i];
+  samples.resize(kept);
+}
+
 void raise(Peak& peak, double ratio, const PlungeSample& sample) {
   if (ratio > peak.ratio) peak = {ratio, sample.time_s, sample.x_mm};
 }
@@ -157,6 +170,7 @@ Verification verify_cycle(const GrindingProcess& process, const InfeedLaw& law,
                           const PlungeOptions& simulation, const VerificationLimits& limits) {
   PlungeOptions options = simulation;
   options.at_end = InfeedTravel::AtEnd::stands;
+  options.time_step_max_s /= refinement;
   Verification verification;
   if (const double time_s = law_time_s(law); time_s > options.time_max_s) {
     verification.findings.push_back({"E9106", "the table takes " + rounded_text(time_s, 1) +
@@ -166,6 +180,7 @@ Verification verify_cycle(const GrindingProcess& process, const InfeedLaw& law,
   }
   verification.run = simulate_plunge(process, law, options);
   find_peaks(process, verification);
+  thin_out(verification.run.samples);
   judge_stability(process, verification.run, verification.findings);
   judge_burn(verification.burn, limits, verification.findings);
   judge_deflection(verification, limits, verification.findings);

@@ -72,20 +72,21 @@ TEST_P(RandomDesign, IsWhatItSays) {
     EXPECT_TRUE(has_errors(stated.findings));
     return;
   }
-  const testing::OraclePlunge run =
-      testing::run_plunge(request.process, design->law, design->spark_out_revolutions);
+  // Four times this changes no ratio by more than 2e-5.
+  constexpr int steps_per_turn = 20'000;
+  const testing::OraclePlunge run = testing::run_plunge(
+      request.process, design->law, design->spark_out_revolutions, steps_per_turn);
   EXPECT_NEAR(run.time_s, stated.run.time_s, 0.001);
-  // The peak of a ratio stands at a kink of the table: both grids meet it within a step.
-  EXPECT_NEAR(run.burn_ratio, stated.burn.ratio, 3e-3 * stated.burn.ratio);
-  // A step of 0.5 ms is up to 2e-5 mm of feed; both sides have one.
-  EXPECT_NEAR(run.highest_mm, stated.run.residual_mm, 4e-5);
-  EXPECT_NEAR(run.highest_mm - run.lowest_mm, stated.run.out_of_roundness_mm(), 5e-5);
+  EXPECT_NEAR(run.burn_ratio, stated.burn.ratio, 1e-4 * stated.burn.ratio);
+  // A step of 0.1 ms is up to 4e-6 mm of feed, and the last layers fade on a ring of angles.
+  EXPECT_NEAR(run.highest_mm, stated.run.residual_mm, 2e-5);
+  EXPECT_NEAR(run.highest_mm - run.lowest_mm, stated.run.out_of_roundness_mm(), 2e-5);
   if (!has_errors(stated.findings)) {
-    EXPECT_LE(run.highest_mm, request.limits.residual_max_mm + 4e-5);
-    EXPECT_GE(run.highest_mm, -request.limits.undersize_max_mm - 4e-5);
-    EXPECT_LE(run.burn_ratio, 1.0 + request.limits.burn_margin + 3e-3);
+    EXPECT_LE(run.highest_mm, request.limits.residual_max_mm + 2e-5);
+    EXPECT_GE(run.highest_mm, -request.limits.undersize_max_mm - 2e-5);
+    EXPECT_LE(run.burn_ratio, 1.0 + request.limits.burn_margin + 1e-4);
     if (request.limits.roundness_max_mm > 0.0) {
-      EXPECT_LE(run.highest_mm - run.lowest_mm, request.limits.roundness_max_mm + 5e-5);
+      EXPECT_LE(run.highest_mm - run.lowest_mm, request.limits.roundness_max_mm + 2e-5);
     }
   }
 }
@@ -94,7 +95,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomDesign, ::testing::Range(1U, 21U));
 INSTANTIATE_TEST_SUITE_P(FullSize, RandomDesign, ::testing::Range(21U, 201U));
 
 // The linear cut m y'' + b y' + C y = -k (y - y(t - tau)) from noise on, by the leap-frog scheme
-// with the damping in the middle: what the waves have grown by in a late revolution.
+// with the damping in the middle: what the waves grow by in a revolution, as the mean over many
+// late ones. Waves that grow nearly alike beat in each single one.
 double growth_of_waves(const GrindingProcess& process, double k_n_per_m) {
   const double turn_s = 60.0 / process.part_speed_rpm;
   const int steps = 20000;
@@ -106,9 +108,10 @@ double growth_of_waves(const GrindingProcess& process, double k_n_per_m) {
   for (double& value : before) value = gauss(random);
   double y = 0.0;
   double y_old = 0.0;
-  double growth = 0.0;
-  double size_before = 0.0;
-  for (int turn = 0; turn < 60; ++turn) {
+  constexpr int turns = 200;
+  constexpr int late = 100;
+  double growth_log = 0.0;
+  for (int turn = 0; turn < turns; ++turn) {
     double power = 0.0;
     for (int n = 0; n < steps; ++n) {
       const double force = -k_n_per_m * (y - before[static_cast<std::size_t>(n)]);
@@ -122,29 +125,37 @@ double growth_of_waves(const GrindingProcess& process, double k_n_per_m) {
       now[static_cast<std::size_t>(n)] = y;
       power += y * y;
     }
-    const double size = std::sqrt(power);
-    if (turn > 0) growth = size / size_before;
-    size_before = size;
+    // The next one begins with waves of size 1.
+    const double size = std::sqrt(power / steps);
+    if (turn >= late) growth_log += std::log(size) / (turns - late);
+    for (double& value : now) value /= size;
+    y /= size;
+    y_old /= size;
     std::swap(before, now);
   }
-  return growth;
+  return std::exp(growth_log);
 }
 
-// Noise of all frequencies: after n turns the band that grows most has still a width that falls
-// with 1/sqrt(n), so that the growth seen is lower by the part 1/(4 n).
+// Cuts from unstable to stable ones; in the late turns the wave that grows most is left.
 TEST(WaveGrowth, IsThatOfTheDelayedSystem) {
-  for (const double zeta : {0.05, 0.2, 0.5}) {
-    GrindingProcess process = petrakov::sheet();
-    process.damping_n_s_per_m = 2.0 * zeta * std::sqrt(process.stiffness_n_per_m * process.mass_kg);
-    const double R = 30.0 * 200.0 / 230.0;
-    const double layer_mm = process.removal_end_mm2_per_rad / R;
-    const double V = 2.0 * 3.14159265358979 * 30.0 * 120.0 / 1000.0;
-    const double force = 3.6 * 20.0 * std::pow(process.removal_end_mm2_per_rad * V, 0.56);
-    const double k = 0.56 * force / layer_mm * 1000.0;  // N/m
-    const double growth = wave_growth(process);
-    EXPECT_NEAR(growth_of_waves(process, k), growth, 0.03 * growth) << zeta;
-    EXPECT_EQ(growth > 1.0, stability_margin(process) < 1.0) << zeta;
+  int growing = 0;
+  for (unsigned seed = 1; seed <= 24; ++seed) {
+    GrindingProcess p = random_request(seed).process;
+    const double zeta = 0.03 * std::pow(30.0, seed / 24.0);
+    p.damping_n_s_per_m = 2.0 * zeta * std::sqrt(p.stiffness_n_per_m * p.mass_kg);
+    const double R = p.part_radius_mm * p.wheel_radius_mm / (p.part_radius_mm + p.wheel_radius_mm);
+    const double layer_mm = p.removal_end_mm2_per_rad / R;
+    const double V = 2.0 * 3.14159265358979 * p.part_radius_mm * p.part_speed_rpm / 1000.0;
+    const double force =
+        p.force_factor * p.width_mm * std::pow(p.removal_end_mm2_per_rad * V, p.force_exponent);
+    const double k = p.force_exponent * force / layer_mm * 1000.0;  // N/m
+    const double growth = wave_growth(p);
+    EXPECT_NEAR(growth_of_waves(p, k), growth, 0.01 * growth) << seed;
+    EXPECT_EQ(growth > 1.0, stability_margin(p) < 1.0) << seed;
+    if (growth > 1.0) ++growing;
   }
+  EXPECT_GT(growing, 5);
+  EXPECT_LT(growing, 19);
 }
 
 }  // namespace
