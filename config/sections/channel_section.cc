@@ -205,6 +205,24 @@ void check_names(const toml::table& table, const ChannelConfig& channel, const S
   }
 }
 
+// Words of lathes without a comma, and how far G37 may go: what would mean nothing is refused.
+void check_dialect_keys(const toml::table& table, const ChannelConfig& channel,
+                        const Scope& scope) {
+  if (channel.plain_corners && channel.kind != lang::ChannelKind::lathe) {
+    scope.fault(place_of(table, "plain_corners"),
+                "plain_corners has a meaning on lathes only; take it out, or give the channel "
+                "kind = \"lathe\"");
+  }
+  const lang::ToolMeasuring& measuring = channel.tool_measuring;
+  if (measuring.within_mm > measuring.before_mm) {
+    const char* const key =
+        table.contains("measuring_within") ? "measuring_within" : "measuring_before";
+    scope.fault(place_of(table, key),
+                "measuring_within is larger than measuring_before: the tool would touch while it "
+                "comes at rapid; make measuring_before the larger one");
+  }
+}
+
 void check_master(const toml::table& table, const ChannelConfig& channel, const Scope& scope) {
   if (channel.kind == lang::ChannelKind::master) {
     for (const char* key : {"axes", "words", "spindles", "scheme", "active"}) {
@@ -306,6 +324,7 @@ ChannelConfig read_channel(const toml::table& table, const MachineConfig& machin
   if (!table.contains("words")) channel.words = file.axes;
   check_spindles(table, channel, machine, scope);
   check_names(table, channel, scope);
+  check_dialect_keys(table, channel, scope);
   channel.automatic_feeds = read_automatic_feeds(file.automatic_feeds, channel, scope);
   // A wrong axis is one fault, not one more for every word and scheme that counts on it.
   const bool axes_are_right = channel.axes.size() == file.axes.size();

@@ -200,6 +200,10 @@ const Case cases[] = {
     {"SpindleUnknown", 24, "spindles = [1, 2]", 24, 16, "there is no spindle 2"},
     {"ActiveSchemeUnknown", 24, "scheme = 7", 24, 10,
      "there is no scheme 7; name one of [[channel.scheme]]"},
+    {"PlainCornersOnMill", 24, "plain_corners = true", 24, 17,
+     "plain_corners has a meaning on lathes only"},
+    {"MeasuringWithinTooFar", 24, "measuring_within = 6", 24, 20,
+     "measuring_within is larger than measuring_before"},
     {"MasterWithSpindle", end_of_file,
      "[[channel]]\nid = 2\nname = \"m\"\nkind = \"master\"\n"
      "spindles = [1]",
