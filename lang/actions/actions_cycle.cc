@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "lang/actions/hole_moves.h"
 #include "lang/block/other_controls.h"
@@ -18,16 +20,20 @@ namespace {
 // Moves that one block may make; all of them are held at once.
 constexpr double moves_max = 100000.0;
 
-bool is_cycle(CodeNumber code) {
+bool is_cycle(const ActiveBlock& block, CodeNumber code) {
   const Code* const row = find_code('G', code);
-  return row != nullptr &&
-         (row->action == CodeAction::drill_hole || code == g(73) || code == g(74) || code == g(76));
+  if (row == nullptr) return false;
+  const bool of_mills = code == g(73) || code == g(74) || code == g(76) || code == g(77);
+  return row->action == CodeAction::drill_hole ||
+         (of_mills && block.channel.kind != ChannelKind::lathe);
 }
 
 // The cycles of lathes drill into the face, G87 to G89 into the side: along X. Source: Fanuc
-// operator's manual B-64304EN-1, 5.2.
+// operator's manual B-64304EN-1, 5.2. Those of Haas are all along Z (lathe operator's manual, G81
+// to G89).
 bool drills_into_side(const ActiveBlock& block, CodeNumber code) {
-  return block.channel.kind == ChannelKind::lathe && code >= g(87) && code <= g(89);
+  return block.channel.kind == ChannelKind::lathe && !block.words.rules.is_haas() &&
+         code >= g(87) && code <= g(89);
 }
 
 // What the cycle does with the hole, by the number of its fellow on mills. Fanuc lathes drill in
@@ -35,9 +41,10 @@ bool drills_into_side(const ActiveBlock& block, CodeNumber code) {
 CodeNumber kind_of_hole(const ActiveBlock& block, CodeNumber code) {
   const DrillingCycle& cycle = block.modal.cycles.drilling;
   const bool lathe = block.channel.kind == ChannelKind::lathe;
-  // Haas bores in with G87 and leaves the way out to the operator. Source: Haas mill operator's
-  // manual, G87.
-  if (!lathe && code == g(87) && block.words.rules.is_haas()) return g(88);
+  // Haas bores in with G87 and leaves the way out to the operator; G77 bores from behind, G184 taps
+  // to the left. Source: Haas operator's manuals.
+  if (code == g(184)) return g(74);
+  if (block.words.rules.is_haas()) return code == g(87) ? g(88) : code == g(77) ? g(87) : code;
   const CodeNumber kind = !drills_into_side(block, code) ? code
                           : code == g(87)                ? g(83)
                           : code == g(88)                ? g(84)
@@ -93,9 +100,50 @@ std::optional<AxisIndex> tool_axis(ActiveBlock& block, CodeNumber code) {
   return std::nullopt;
 }
 
-// K of the Fanuc dialect; elsewhere it is the lead of tapping.
+// K of Fanuc; elsewhere it is the lead of tapping, and the smallest peck of Haas.
 bool counts_repeats(const ActiveBlock& block) {
-  return block.words.rules.is_fanuc();
+  return block.words.rules.is_fanuc() && !block.words.rules.is_haas();
+}
+
+// I J K of Haas with G73 and G83. Source: Haas mill operator's manual.
+void take_variable_pecks(ActiveBlock& block, CodeNumber code) {
+  if (!block.words.rules.is_haas() || !pecks(code)) return;
+  VariablePecks& pecks = block.modal.cycles.drilling.variable;
+  if (block.has('I')) pecks.first = block.length('I');
+  if (block.has('J')) pecks.less = block.length('J');
+  if (block.has('K')) pecks.last = block.length('K');
+  const char wrong = pecks.first < 0.0  ? 'I'
+                     : pecks.less < 0.0 ? 'J'
+                     : pecks.last < 0.0 ? 'K'
+                                        : '\0';
+  if (wrong != '\0')
+    block.fail("E4063", {wrong, -1, {}}, "the depth of a peck must be positive", "negative");
+}
+
+// J of Haas with G84 and G74: how many times as fast the tap comes out.
+void take_return_factor(ActiveBlock& block, CodeNumber kind) {
+  if (!block.words.rules.is_haas() || !taps(kind) || !block.has('J')) return;
+  constexpr int factor_max = 9;
+  if (const auto factor = block.integer('J', 1, factor_max))
+    block.modal.cycles.drilling.return_factor = *factor;
+}
+
+// I J of G76 and G87 in G17: the way off the wall, which the dialects of Fanuc have beside Q.
+void take_shift(ActiveBlock& block, CodeNumber kind) {
+  const bool bores = kind == g(76) || kind == g(87);
+  if (!block.words.rules.is_fanuc() || !bores || (!block.has('I') && !block.has('J'))) return;
+  if (block.modal.plane() != Plane::xy) {
+    block
+        .fail("E4003", {block.has('I') ? 'I' : 'J', -1, {}},
+              "the way off the wall by I and J is in G17", "another plane")
+        .notes.push_back(block.modal.origin_of(Group::plane));
+    return;
+  }
+  const auto way = [&](char letter, std::size_t coordinate) {
+    const double gain = block.modal.map.gain(block.channel_words.geometry_axis(coordinate));
+    return block.has(letter) ? gain * block.length(letter) : 0.0;
+  };
+  block.modal.cycles.drilling.shift = {true, way('I', 0), way('J', 1)};
 }
 
 // Takes R, Z, Q and P of the block over into the sequence.
@@ -106,8 +154,10 @@ void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
     return block.modal.incremental() ? from + map.gain(axis) * word : map.to_work(axis, word);
   };
   if (block.has('R')) {
-    // On Fanuc lathes R is a distance from the initial level, whatever G90 says.
-    const bool distance = block.channel.kind == ChannelKind::lathe && block.words.rules.is_fanuc();
+    // On Fanuc lathes R is a distance from the initial level, whatever G90 says; on those of Haas
+    // it is a position.
+    const bool distance = block.channel.kind == ChannelKind::lathe &&
+                          block.words.rules.is_fanuc() && !block.words.rules.is_haas();
     cycle.retract_level = distance ? cycle.initial_level + map.gain(axis) * block.length('R')
                                    : level(block.length('R'), cycle.initial_level);
     cycle.has_retract_level = true;
@@ -141,11 +191,14 @@ void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
   } else if (!bores_from_behind(kind) && cycle.retract_level < cycle.bottom) {
     block.fail("E4062", {block.has('R') ? 'R' : '\0', -1, {}},
                "the level R lies below the bottom of the hole", "below the bottom");
-  } else if (pecks(kind) && cycle.peck <= 0.0) {
+  } else if (pecks(kind) && cycle.variable.first > 0.0 && cycle.variable.last <= 0.0) {
+    block.fail("E4063", code_word(code), name + " needs K, the smallest peck, beside I", "no K");
+  } else if (pecks(kind) && cycle.peck <= 0.0 && cycle.variable.first <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the depth of a peck", "no Q");
   } else if (needs_dwell(kind) && cycle.dwell_s < 0.0 && !block.words.rules.is_fanuc()) {
     block.fail("E4007", code_word(code), name + " needs P, the dwell at the bottom", "no P");
-  } else if ((code == g(76) || bores_from_behind(kind)) && cycle.peck <= 0.0) {
+  } else if ((code == g(76) || bores_from_behind(kind)) && cycle.peck <= 0.0 &&
+             !cycle.shift.is_given) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the distance from the edge",
                "no Q");
   } else if (needs_turning_spindle(kind) && !block.modal.spindles.any_runs) {
@@ -157,32 +210,52 @@ void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
   }
 }
 
-// Holes that the block makes: L, bounded together with the pecks of each.
-std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
+// How many moves a hole may have at most; nothing, with the block failed: more than there may be.
+std::optional<double> moves_of(ActiveBlock& block, CodeNumber code) {
   const DrillingCycle& cycle = block.modal.cycles.drilling;
   const double depth = cycle.retract_level - cycle.bottom;
   constexpr double moves_of_hole = 10.0;  // with what the spindle does
-  const double moves = pecks(code) ? 3.0 * std::ceil(depth / cycle.peck) + 4.0 : moves_of_hole;
+  const double peck =
+      cycle.variable.first > 0.0 ? std::min(cycle.variable.first, cycle.variable.last) : cycle.peck;
+  const double moves = pecks(code) ? 5.0 * std::ceil(depth / peck) + 4.0 : moves_of_hole;
   if (moves > moves_max) {
     block.fail("E4063", {block.has('Q') ? 'Q' : '\0', -1, {}}, "Q makes too many pecks",
                "too small");
     return std::nullopt;
   }
+  return moves;
+}
+
+// Holes that the block makes: L, bounded together with the pecks of each.
+std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
+  const auto moves = moves_of(block, code);
+  if (!moves) return std::nullopt;
   const char letter = block.has('K') && counts_repeats(block) ? 'K' : 'L';
   if (!block.has(letter)) return 1;
-  return block.integer(letter, 0, static_cast<int>(moves_max / moves));
+  return block.integer(letter, 0, static_cast<int>(moves_max / *moves));
+}
+
+bool holes_of_pattern_fit(ActiveBlock& block, CodeNumber kind, int holes) {
+  const auto moves = moves_of(block, kind);
+  if (!moves) return false;
+  if (holes * *moves <= moves_max) return true;
+  block.fail("E4063", {'L', -1, {}}, "the holes have too many pecks", "too many");
+  return false;
 }
 
 // Of the words of G76 some belong to the thread cycle of lathe channels.
 bool uses_its_words(ActiveBlock& block, CodeNumber code) {
-  if (block.has('K') && !taps(code) && code != g(76) && !counts_repeats(block)) {
+  const bool peck_by_k = block.words.rules.is_haas() && pecks(code);
+  if (block.has('K') && !taps(code) && code != g(76) && !counts_repeats(block) && !peck_by_k) {
     block.fail("E4003", {'K', -1, {}}, "nothing in this block uses `K`", "unused word")
         .help.emplace_back("repeats are `L`; K counts them in the dialect fanuc");
     return false;
   }
   if (code != g(76)) return true;
+  const bool shifts = block.words.rules.is_fanuc();
   for (const char letter : {'E', 'H', 'I', 'J', 'K'}) {
     if (!block.has(letter) || (letter == 'K' && counts_repeats(block))) continue;
+    if (shifts && (letter == 'I' || letter == 'J')) continue;
     block.fail("E4003", {letter, -1, {}},
                std::string("`G76` does not use `") + letter + "` on this channel", "unused word");
     return false;
@@ -231,13 +304,52 @@ bool bore_by_hand(ActiveBlock& block, HoleMoves& hole) {
   return false;
 }
 
-void make_holes(ActiveBlock& block, HoleMoves& hole, CodeNumber kind, int repeats) {
+// Holes of a pattern, about or from where the tool stood at its beginning: the way to the k-th one,
+// in the coordinates of the program.
+struct HolePattern {
+  CodeNumber code = 0;
+  double size_mm = 0.0;  // radius of the circle, or way from hole to hole
+  double angle_deg = 0.0;
+  double step_deg = 0.0;
+  int holes = 0;
+};
+
+void place_in_pattern(ActiveBlock& block, HoleMoves& hole, CodeNumber kind,
+                      const HolePattern& pattern, int k) {
+  const double angle = (pattern.angle_deg + k * pattern.step_deg) * std::numbers::pi / 180.0;
+  const double away = pattern.code == g(72) ? k * pattern.size_mm : pattern.size_mm;
+  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
+  Move move;
+  move.end = block.modal.position_W;
+  const std::pair<std::size_t, double> ways[] = {{plane.first, away * std::cos(angle)},
+                                                 {plane.second, away * std::sin(angle)}};
+  for (const auto& [coordinate, way] : ways) {
+    const AxisIndex axis = block.channel_words.geometry_axis(coordinate);
+    move.end[axis] =
+        block.modal.cycles.drilling.pattern_centre[axis] + block.modal.map.gain(axis) * way;
+    move.words = static_cast<AxisSet>(move.words | axis_bit(axis));
+  }
+  move.stop_at_end = block.end.stops;
+  resolve_feed(block, move);
+  if (bores_from_behind(kind)) {
+    hole.go_over(move);
+  } else {
+    hole.approach(move);
+  }
+}
+
+void make_holes(ActiveBlock& block, HoleMoves& hole, CodeNumber kind, int repeats,
+                const HolePattern* pattern = nullptr) {
   const bool by_hand = kind == g(88);
   for (int i = static_cast<int>(block.done.parts / 2); i < repeats && !block.failed();) {
     const bool goes_out = by_hand && block.done.parts % 2 == 1;
     if (!goes_out) {
-      if (i > 0) repeat_polar_words(block);
-      position(block, hole, kind);
+      if (i > 0 && pattern == nullptr) repeat_polar_words(block);
+      if (pattern != nullptr) {
+        place_in_pattern(block, hole, kind, *pattern, i);
+      } else {
+        position(block, hole, kind);
+      }
       if (block.failed()) return;
     }
     if (!by_hand) {
@@ -247,6 +359,36 @@ void make_holes(ActiveBlock& block, HoleMoves& hole, CodeNumber kind, int repeat
     }
     if (!by_hand || goes_out) ++i;
   }
+}
+
+constexpr int holes_max = 1000;
+
+std::optional<HolePattern> read_pattern(ActiveBlock& block, CodeNumber code) {
+  const std::string name = "`" + code_text('G', code) + "`";
+  const auto refuse = [&](char letter, const std::string& why) {
+    block.fail(block.has(letter) ? "E4008" : "E4007",
+               block.has(letter) ? WordName{letter, -1, {}} : code_word(code),
+               name + " needs " + why,
+               block.has(letter) ? "out of range" : std::string("no ") + letter);
+    return std::nullopt;
+  };
+  const bool line = code == g(72);
+  HolePattern pattern;
+  pattern.code = code;
+  if (!block.has('I') || block.value('I') <= 0.0) {
+    return refuse('I', line ? "I, the way from hole to hole, above zero"
+                            : "I, the radius of the circle, above zero");
+  }
+  if (!block.has('L')) return refuse('L', "L, the number of holes");
+  const auto holes = block.integer('L', 1, holes_max);
+  if (!holes) return std::nullopt;
+  if (code == g(71) && !block.has('K')) return refuse('K', "K, the angle from hole to hole");
+  pattern.size_mm = block.length('I');
+  pattern.angle_deg = block.has('J') ? block.value('J') : 0.0;
+  pattern.holes = *holes;
+  if (code == g(70)) pattern.step_deg = 360.0 / *holes;
+  if (code == g(71)) pattern.step_deg = block.value('K');
+  return pattern;
 }
 
 }  // namespace
@@ -262,7 +404,7 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   if (code == g(74) && refuses_words_of_lathes(block)) return;
   DrillingCycle& cycle = block.modal.cycles.drilling;
   const bool is_begun = block.done.parts == 0;  // and not gone on with
-  if (is_begun && !is_cycle(block.modal.code(Group::motion))) {
+  if (is_begun && !is_cycle(block, block.modal.code(Group::motion))) {
     cycle = {};
     block.modal.cycles.motion_before = block.modal.code(Group::motion);
     cycle.initial_level = block.modal.position_W[*axis];
@@ -270,12 +412,37 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   if (block.programmed == 0) return;
   if (is_begun) take_cycle_words(block, *axis);
   const CodeNumber kind = kind_of_hole(block, code);
+  take_variable_pecks(block, kind);
+  take_return_factor(block, kind);
+  take_shift(block, kind);
   check_cycle(block, code, kind);
   if (block.failed()) return;
   const auto repeats = repeats_of(block, kind);
   if (!repeats) return;
   HoleMoves hole(block, *axis);
   make_holes(block, hole, kind, *repeats);
+}
+
+// G70 a circle, G71 an arc, G72 a line of holes, with the cycle that is active: the centre, or the
+// first hole of a line, is where the tool stands. Source: Haas mill operator's manual.
+void drill_pattern(ActiveBlock& block, CodeNumber code) {
+  const CodeNumber cycle_code = block.modal.code(Group::motion);
+  if (!is_cycle(block, cycle_code)) {
+    block
+        .fail("E4061", code_word(code),
+              "`" + code_text('G', code) + "` needs a drilling cycle that is active", "no cycle")
+        .help.emplace_back("write the cycle before, with L0: e.g. `G81 Z-10 R2 F100 L0`");
+    return;
+  }
+  const auto axis = tool_axis(block, code);
+  const auto pattern = read_pattern(block, code);
+  if (!axis || !pattern) return;
+  const CodeNumber kind = kind_of_hole(block, cycle_code);
+  check_cycle(block, cycle_code, kind);
+  if (block.failed() || !holes_of_pattern_fit(block, kind, pattern->holes)) return;
+  if (block.done.parts == 0) block.modal.cycles.drilling.pattern_centre = block.modal.position_W;
+  HoleMoves hole(block, *axis);
+  make_holes(block, hole, kind, pattern->holes, &*pattern);
 }
 
 }  // namespace stanok::lang

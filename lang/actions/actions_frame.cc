@@ -2,9 +2,12 @@
 #include <string>
 
 #include "lang/actions/actions.h"
+#include "lang/words/dialect_codes.h"
 
 namespace stanok::lang {
 namespace {
+
+constexpr int first_extended_offset = 10;  // G54.1 P1
 
 // Index of the work offset that a code selects: 1 = G54 ... 9 = G59.3.
 int offset_number(CodeNumber code) {
@@ -60,6 +63,11 @@ void restore_shifts(ActiveBlock& block, const ModalState& saved) {
 
 void select_work_offset(ActiveBlock& block, CodeNumber code) {
   int number = offset_number(code);
+  if (is_offset_of_haas(code)) {
+    number = first_extended_offset + (code - first_offset_of_haas) / 10;
+    block.kept_groups |= group_bit(Group::work_offset);
+    block.set_modal(Group::work_offset, g(154));
+  }
   if (code == g(54, 1) || code == g(154)) {
     if (!block.has('P')) {
       block.fail("E4007", {'G', code, {}}, "`" + code_text('G', code) + "` needs P", "no P");
@@ -67,7 +75,7 @@ void select_work_offset(ActiveBlock& block, CodeNumber code) {
     }
     const auto page = block.integer('P', 1, 300);
     if (!page) return;
-    number = 9 + *page;
+    number = first_extended_offset + *page - 1;
   }
   if (!block.tables.work_offset(number)) {
     block.fail("E5001", {'G', code, {}},

@@ -191,7 +191,7 @@ void advance_position(ActiveBlock& block, const Move& move) {
 }
 
 void move_straight(ActiveBlock& block, CodeNumber code) {
-  const bool has_vector = (block.words.letters & vector_letters) != 0;
+  const bool has_vector = (block.words.letters & vector_letters & ~block.end.plain_corners) != 0;
   if (block.programmed == 0 && !has_vector) return;
   Move move;
   move.kind = code == g(0) ? MoveKind::rapid : MoveKind::line;

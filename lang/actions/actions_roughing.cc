@@ -294,6 +294,15 @@ void take_repeating_settings(ActiveBlock& block) {
   if (const auto passes = block.integer('R', 1, passes_max)) settings.passes = *passes;
 }
 
+// G73 P Q I K D: one line, as Haas has it. I (a radius) and K are the way from the last pass to the
+// first one, D is how many there are. Source: Haas lathe operator's manual, G73.
+void take_passes_of_line(ActiveBlock& block) {
+  RepeatingSettings& settings = block.modal.cycles.repeating;
+  settings.relief_x = block.has('I') ? block.length('I') : 0.0;
+  settings.relief_z = block.has('K') ? block.length('K') : 0.0;
+  if (const auto passes = block.integer('D', 1, passes_max)) settings.passes = *passes;
+}
+
 // One pass along the contour, shifted; it begins at the start point shifted in the same way.
 void follow_shifted(CycleMoves& moves, const std::vector<PlaneMove>& list, TurningPoint start,
                     TurningPoint shift) {
@@ -334,11 +343,13 @@ void repeat_contour(ActiveBlock& block, CodeNumber code) {
   block.kept_groups |= group_bit(Group::motion);
   auto moves = CycleMoves::of(block, code);
   if (!moves) return;
-  if (block.programmed != 0 || block.has('K') || block.has('L')) {
+  const bool in_one_line = block.words.rules.is_haas() && block.has('D');
+  if (block.programmed != 0 || (block.has('K') && !in_one_line) || block.has('L')) {
     block.fail("E4003", {'G', code, {}}, "pattern repeating has no axis words, K and L",
                "unused word");
     return;
   }
+  if (in_one_line) take_passes_of_line(block);
   if (!block.has('P') && !block.has('Q')) return take_repeating_settings(block);
   refuse_words(block, "R");
   if (block.failed()) return;
@@ -385,8 +396,10 @@ void rough_contour(ActiveBlock& block, CodeNumber code) {
 // The blocks themselves are run, with all they do; then the tool comes back.
 void finish_contour(ActiveBlock& block, CodeNumber code) {
   if (block.channel.kind != ChannelKind::lathe) return refuse_words(block, "PQRUW");
+  // Those of roughing in a line with G70 say nothing on controls of Haas.
+  if (!block.words.rules.is_haas()) refuse_words(block, "UW");
   const auto contour = find_contour(block, code);
-  if (!contour) return;
+  if (!contour || block.failed()) return;
   for (const Contour::Block& one : contour->blocks) {
     const bool nested = std::any_of(one.words.g.begin(), one.words.g.end(), [](CodeNumber number) {
       return number >= g(70) && number <= g(73);

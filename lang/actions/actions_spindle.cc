@@ -157,8 +157,11 @@ void orient_spindle(ActiveBlock& block, CodeNumber code) {
   command.action = SpindleAction::orient;
   command.speed_rev_per_min = speed_of_spindle(block, *spindle);
   if (block.has('R')) command.angle_deg = block.value('R');
+  // Haas says the angle by P, or by R. Source: Haas operator's manuals, M19.
+  const bool angle_by_p = block.words.rules.is_haas() && block.has('P');
+  if (angle_by_p) command.angle_deg = block.value('P');
   block.modal.spindles.orient_angle_deg = command.angle_deg;
-  if (block.has('P')) {
+  if (block.has('P') && !angle_by_p) {
     const auto way = block.integer('P', 0, 2);
     if (!way) return;
     command.way = static_cast<OrientWay>(*way);

@@ -360,9 +360,9 @@ void collect_knot(ActiveBlock& block, CodeNumber code) {
   if (block.programmed == 0 && curve.knots_to_come() == 0) emit_knotted(block, *plane, code);
 }
 
-// G5 P10000/P0 and G5.1 Q1/Q0 switch look-ahead of other controls; here it is always on.
+// G5 P10000/P0, G5.1 Q1/Q0 and G8 P1/P0 switch look-ahead of other controls; here it is always on.
 void accept_high_speed(ActiveBlock& block, CodeNumber code) {
-  const char letter = code == g(5) ? 'P' : 'Q';
+  const char letter = code == g(5, 1) ? 'Q' : 'P';
   const double on = code == g(5) ? 10000.0 : 1.0;
   const double value = block.has(letter) ? block.value(letter) : -1.0;
   if (value == 0.0 || value == on) return;
@@ -372,9 +372,9 @@ void accept_high_speed(ActiveBlock& block, CodeNumber code) {
         code == g(5) ? "an end, I J K in its plane, P and Q" : "an end, and I J K in its plane");
     return;
   }
+  const std::string name = "`" + code_text('G', code) + "` without axis words takes ";
   block.fail("E4008", {letter, -1, {}},
-             code == g(5) ? "`G5` without axis words takes P10000 or P0"
-                          : "`G5.1` without axis words takes Q1 or Q0",
+             name + letter + (code == g(5) ? "10000" : "1") + " or " + letter + "0",
              "out of range");
 }
 

@@ -34,6 +34,7 @@ struct Thread {
   double exit = 0.0;
   std::vector<double> passes;  // depth of each
   int spindle = 0;
+  double start_angle_deg = 0.0;
 };
 
 double tangent_of_deg(double angle) {
@@ -96,9 +97,14 @@ void cut_pass(CycleMoves& moves, const Thread& thread, TurningPoint start, doubl
   const double exit = thread.exit * part;
   moves.rapid({start.x, z_start});
   moves.rapid(at(z_start, entry > 0.0 ? 0.0 : depth));
-  if (entry > 0.0) moves.thread(at(z_start + along * entry, depth), thread.lead, thread.spindle);
-  if (exit > 0.0) moves.thread(at(z_end - along * exit, depth), thread.lead, thread.spindle);
-  moves.thread(at(z_end, exit > 0.0 ? 0.0 : depth), thread.lead, thread.spindle);
+  if (entry > 0.0)
+    moves.thread(at(z_start + along * entry, depth), thread.lead, thread.spindle,
+                 thread.start_angle_deg);
+  if (exit > 0.0)
+    moves.thread(at(z_end - along * exit, depth), thread.lead, thread.spindle,
+                 thread.start_angle_deg);
+  moves.thread(at(z_end, exit > 0.0 ? 0.0 : depth), thread.lead, thread.spindle,
+               thread.start_angle_deg);
   moves.rapid({start.x, z_end});
   moves.rapid(start);
 }
@@ -199,9 +205,10 @@ void cut_with_root(ActiveBlock& block, CycleMoves& moves, Thread thread) {
 }
 
 // G76 X Z K D F [I] [A] in one block, as Haas and older Fanuc controls have it: height K, first
-// depth D, lead F, taper I (radii), tool angle A.
+// depth D, lead F, taper I (radii), tool angle A; of Haas the angle Q where the spindle begins, in
+// thousandths without a point.
 void cut_in_one_block(ActiveBlock& block, CycleMoves& moves, Thread thread) {
-  refuse_words_of_other_forms(block, "KFIP");
+  refuse_words_of_other_forms(block, block.words.rules.is_haas() ? "KFIPQ" : "KFIP");
   const double first = value_or_thousandths(block, 'D') * block.length_unit();
   if (!moves.names_x()) ask_for(block, 'X', "X, the root of the thread");
   if (block.value('K') <= 0.0) ask_for(block, 'K', "K, a positive height");
@@ -218,6 +225,7 @@ void cut_in_one_block(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   thread.peak_end = {root.x - thread.inward * thread.depth, root.z};
   thread.peak_start = {thread.peak_end.x + (block.has('I') ? block.length('I') : 0.0), start.z};
   thread.infeed_tangent = tangent_of_deg(angle / 2.0);
+  if (block.has('Q')) thread.start_angle_deg = value_or_thousandths(block, 'Q');
   add_passes(block, thread, first, 0.5, 0.0, 0);
   cut_passes(block, moves, thread);
 }

@@ -16,14 +16,20 @@ void take_turning_words(ActiveBlock& block, const CycleMoves& moves, CodeNumber 
   if (moves.names_z()) cycle.z = end.z;
   cycle.has_x = cycle.has_x || moves.names_x();
   cycle.has_z = cycle.has_z || moves.names_z();
+  // I and K say the taper on older Fanuc controls, and on those of Haas.
+  const char older = code == g(79) ? 'K' : 'I';
   if (block.has('R')) cycle.taper = block.length('R');
+  if (block.has(older)) cycle.taper = block.length(older);
   if (code == g(78) && block.has('F')) cycle.lead = block.length('F');
 }
 
 void check_turning(ActiveBlock& block, CodeNumber code) {
   const TurningCycle& cycle = block.modal.cycles.turning;
   const std::string name = "`" + code_text('G', code) + "`";
-  if (!cycle.has_x || !cycle.has_z) {
+  const char older = code == g(79) ? 'K' : 'I';
+  if (block.has('R') && block.has(older)) {
+    block.fail("E4015", {older, -1, {}}, name + " has its taper twice", "beside R");
+  } else if (!cycle.has_x || !cycle.has_z) {
     block.fail("E4007", {'G', code, {}}, name + " needs X and Z", cycle.has_x ? "no Z" : "no X");
   } else if (code == g(78) && cycle.lead <= 0.0) {
     block
@@ -33,9 +39,18 @@ void check_turning(ActiveBlock& block, CodeNumber code) {
   }
 }
 
+// Without axis words the cycle is only chosen, as in `G90 G54` of code system A.
+bool only_chooses_cycle(ActiveBlock& block, CodeNumber code) {
+  if (block.programmed != 0 || !block.words.rules.is_fanuc()) return false;
+  if (block.modal.code(Group::motion) != code) block.modal.cycles.turning = {};
+  return true;
+}
+
 }  // namespace
 
 void turn_once(ActiveBlock& block, CodeNumber code) {
+  if (block.channel.kind != ChannelKind::lathe) return drill_hole(block, code);
+  if (only_chooses_cycle(block, code)) return;
   auto moves = CycleMoves::of(block, code);
   if (!moves) return;
   const auto spindle = named_spindle(block);

@@ -22,9 +22,9 @@ constexpr LetterSet arc_words = letters_of("IJKR");
 
 // Units and diameter mode set in a block hold for its own words too.
 void apply_units(ActiveBlock& block, const BlockCodes& codes) {
-  const bool lathe = block.channel.kind == ChannelKind::lathe;
-  if (!lathe && block.words.g.has(g(70))) block.set_modal(Group::units, g(20));
-  if (!lathe && block.words.g.has(g(71))) block.set_modal(Group::units, g(21));
+  const bool has_cycles = block.channel.kind == ChannelKind::lathe || block.words.rules.is_haas();
+  if (!has_cycles && block.words.g.has(g(70))) block.set_modal(Group::units, g(20));
+  if (!has_cycles && block.words.g.has(g(71))) block.set_modal(Group::units, g(21));
   for (const Code* const row : codes) {
     const bool early = row->group == Group::units || row->group == Group::diameter;
     if (early && block.modal.code(row->group) != row->number)
@@ -174,6 +174,17 @@ void keep_offset_of_radius(ActiveBlock& block, const BlockCodes& codes) {
   if (const auto number = block.integer('D', 0, 99999999)) block.modal.tool.radius_offset = *number;
 }
 
+// H alone under G43 or G44 in the Fanuc dialect: the length of another offset from here on.
+void add_modal_length(ActiveBlock& block, BlockCodes& codes) {
+  const CodeNumber length = block.modal.code(Group::length);
+  const bool is_free = block.words.rules.is_fanuc() && block.has('H') &&
+                       (codes.words & letters_of("H")) == 0 && !codes.has(Group::length);
+  if (!is_free || (length != g(43) && length != g(44))) return;
+  codes.add(find_code('G', length));
+  codes.groups |= group_bit(Group::length);
+  codes.words |= letters_of("H");
+}
+
 // In the order in which they take effect; codes of one rank stay as written.
 void sort_by_phase(BlockCodes& codes) {
   for (const Code** next = codes.begin(); next != codes.end(); ++next) {
@@ -240,6 +251,7 @@ void execute_block(ActiveBlock& block) {
     return;
   }
   add_modal_motion(block, codes, block.words.letters & ~codes.words);
+  add_modal_length(block, codes);
   if (block.failed()) return;
   if (auto fault = check_feed_law(block.words, codes, axis_words_of(block))) {
     block.faults.first = std::move(fault);

@@ -71,7 +71,7 @@ void CycleMoves::arc(const TurningArc& arc) {
   block_.queue.emit(move);
 }
 
-void CycleMoves::thread(TurningPoint end, double lead_mm, int spindle) {
+void CycleMoves::thread(TurningPoint end, double lead_mm, int spindle, double start_angle_deg) {
   const TurningPoint start = position();
   const double x = std::abs(end.x - start.x);
   const double z = std::abs(end.z - start.z);
@@ -80,6 +80,7 @@ void CycleMoves::thread(TurningPoint end, double lead_mm, int spindle) {
   if (move.line.words == 0 || block_.failed()) return;
   move.line.path = block_.modal.path;
   move.spindle = spindle;
+  move.start_angle_deg = start_angle_deg;
   move.lead_mm_per_rev = lead_mm * std::hypot(x, z) / std::max(x, z);
   advance_position(block_, move.line);
   block_.queue.emit(move);

@@ -33,7 +33,7 @@ class CycleMoves {
   // In the plane ZX.
   void arc(const TurningArc& arc);
   // With the lead along the axis that travels farther, from the angle of the block's first pass.
-  void thread(TurningPoint end, double lead_mm, int spindle);
+  void thread(TurningPoint end, double lead_mm, int spindle, double start_angle_deg = 0.0);
 
  private:
   CycleMoves(ActiveBlock& block, AxisIndex x, AxisIndex z) : block_(block), x_(x), z_(z) {}

@@ -119,11 +119,21 @@ void HoleMoves::retract() {
   if (level != block_.modal.position_W[axis_]) rapid(level);
 }
 
+// The n-th peck.
+double HoleMoves::peck_depth(int n) const {
+  const DrillingCycle& cycle = block_.modal.cycles.drilling;
+  if (cycle.variable.first <= 0.0) return cycle.peck;
+  return std::max(cycle.variable.first - n * cycle.variable.less, cycle.variable.last);
+}
+
 void HoleMoves::peck(CodeNumber code) {
   const DrillingCycle& cycle = block_.modal.cycles.drilling;
+  // K beside Q: the depth after which G73 of Haas brings the chips out.
+  const bool clears = code == g(73) && cycle.variable.first <= 0.0 && cycle.variable.last > 0.0;
   double depth = cycle.retract_level;
-  while (!block_.failed()) {
-    depth -= cycle.peck;
+  double cleared = depth;
+  for (int n = 0; !block_.failed(); ++n) {
+    depth -= peck_depth(n);
     // A rest that rounding leaves is no peck.
     if (depth < cycle.bottom + move_min_mm) depth = cycle.bottom;
     feed(depth);
@@ -133,11 +143,13 @@ void HoleMoves::peck(CodeNumber code) {
       if (dwells) dwell();
       return retract();
     }
-    if (code == g(73)) {
+    const bool is_full = clears && cleared - depth > cycle.variable.last - move_min_mm;
+    if (code == g(73) && !is_full) {
       rapid(depth + peck_lift_mm);
     } else {
       rapid(cycle.retract_level);
       rapid(std::min(depth + peck_lift_mm, cycle.retract_level));
+      cleared = depth;
     }
   }
 }
@@ -185,6 +197,7 @@ void HoleMoves::tap_rigidly(int spindle, double lead_mm) {
   move.line.path = block_.modal.path;
   move.spindle = spindle;
   move.lead_mm_per_rev = lead_mm;
+  move.return_speed_factor = cycle.return_factor;
   move.dwell_s = std::max(cycle.dwell_s, 0.0);
   block_.queue.emit(move);
 }
@@ -206,8 +219,11 @@ void HoleMoves::tap_with_floating_chuck(int spindle, SpindleAction turning, doub
   block_.queue.emit(off);
   go(move, cycle.bottom);
   if (cycle.dwell_s > 0.0) dwell();
+  command.speed_rev_per_min = speed * cycle.return_factor;
   block_.queue.emit(command);
+  if (move.feed_mode != FeedMode::per_revolution) move.feed *= cycle.return_factor;
   go(move, cycle.retract_level);
+  command.speed_rev_per_min = speed;
   command.action = turning;
   block_.queue.emit(command);
   block_.queue.emit(override_control_of(block_.modal));
@@ -243,9 +259,11 @@ void HoleMoves::turn_again() {
                                    .speed_rev_per_min = block_.modal.spindles.speed_rev_per_min});
 }
 
-// By Q away from the edge of the tool: at angle 0 the edge points along the first axis of the
-// plane, angles run to the second one.
+// By I and J, or by Q away from the edge of the tool: at angle 0 the edge points along the first
+// axis of the plane, angles run to the second one.
 void HoleMoves::shift_off_wall() {
+  const HoleShift& given = block_.modal.cycles.drilling.shift;
+  if (given.is_given) return shift(given.first, given.second);
   const double angle = block_.modal.spindles.orient_angle_deg * std::numbers::pi / 180.0;
   const double distance = block_.modal.cycles.drilling.peck;
   shift(-distance * std::cos(angle), -distance * std::sin(angle));

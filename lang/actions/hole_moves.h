@@ -36,6 +36,7 @@ class HoleMoves {
   void go_on_behind_hand();
 
  private:
+  [[nodiscard]] double peck_depth(int n) const;
   void go(Move move, double level);
   void tap_rigidly(int spindle, double lead_mm);
   void tap_with_floating_chuck(int spindle, SpindleAction turning, double lead_mm);

@@ -97,8 +97,9 @@ std::optional<BlockFault> missing_axes(const BlockCodes& codes, AxisWordCount co
 
 bool may_have_plain_corners(const BlockWords& words, const BlockCodes& codes,
                             const ChannelDescription& channel) {
-  if (!channel.plain_corners || !words.rules.is_fanuc() || channel.kind != ChannelKind::lathe)
-    return false;
+  // Lathes of Haas have them always (lathe operator's manual, "Corner rounding and chamfering").
+  const bool has_them = channel.plain_corners || words.rules.is_haas();
+  if (!has_them || !words.rules.is_fanuc() || channel.kind != ChannelKind::lathe) return false;
   const Code* const motion = motion_of(codes);
   return motion == nullptr || motion->number == g(1);
 }
@@ -125,8 +126,9 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
   }
   LetterSet allowed = codes.words | allowed_everywhere(words.rules) | dwell_set | axes;
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
+  if (words.rules.is_fanuc() && !codes.has(Group::length)) allowed |= letters_of("H");
   if (channel != nullptr && may_have_plain_corners(words, codes, *channel))
-    allowed |= plain_corner_letters;
+    allowed |= plain_corner_letters | square_chamfer_letters;
   const LetterSet unused = words.letters & ~allowed;
   if (unused != 0) return unused_word(unused, channel);
   const bool any_axis_word =

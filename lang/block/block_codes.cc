@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lang/words/dialect_codes.h"
 #include "lang/words/unsupported_word.h"
 
 namespace stanok::lang {
@@ -41,41 +42,12 @@ bool only_ends_cycle(BlockCodes& codes, const Code& row) {
   return false;
 }
 
-// G5 and G5.1 without axis words are no curves.
-const Code high_speed_by_p{'G',
-                           g(5),
-                           Group::none,
-                           0,
-                           EffectOrder::path_mode,
-                           AxisWords::unused,
-                           letters_of("P"),
-                           Availability::everywhere,
-                           CodeAction::accept_high_speed,
-                           "look-ahead switch"};
-const Code high_speed_by_q{'G',
-                           g(5, 1),
-                           Group::none,
-                           0,
-                           EffectOrder::path_mode,
-                           AxisWords::unused,
-                           letters_of("Q"),
-                           Availability::everywhere,
-                           CodeAction::accept_high_speed,
-                           "look-ahead switch"};
-
-const Code* row_of(char letter, CodeNumber number, const BlockWords& words) {
-  const bool switch_only =
-      words.named.empty() && (words.letters & (customary_axis_letters | letters_of("IJ"))) == 0;
-  if (letter == 'G' && number == g(5) && switch_only && !words.has('Q')) return &high_speed_by_p;
-  if (letter == 'G' && number == g(5, 1) && switch_only) return &high_speed_by_q;
-  return find_code(letter, number);
-}
-
 std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber number,
                                    const BlockWords& words, const ChannelKind* kind,
                                    const ChannelDialect& dialect) {
   if (number == code_computed_later) return std::nullopt;
-  const Code* row = row_of(letter, number, words);
+  const Code* row = code_of_dialect(letter, number, words, kind);
+  if (row == nullptr) row = find_code(letter, number);
   if (row == nullptr) row = dialect.output(letter, number);
   const auto name = [letter, number] { return code_text(letter, number); };
   const WordName word{letter, number, {}};
@@ -151,6 +123,28 @@ bool drills(CodeNumber code) {
   return code == g(73) || code == g(74) || code == g(76) || (code >= g(81) && code <= g(89));
 }
 
+// I and J are the way off the wall; G87 of Haas is bored out by hand.
+bool drills_with_shift(CodeNumber code, const TextRules& rules) {
+  return code == g(76) || (code == g(87) && !rules.is_haas());
+}
+
+// Pecks that become less, the speed of the way out of a tap, the way off the wall. Source: Haas
+// mill operator's manual, G73, G76, G77, G83, G84.
+LetterSet words_of_haas(CodeNumber code) {
+  switch (code) {
+    case g(73):
+    case g(83):
+      return letters_of("IJK");
+    case g(74):
+    case g(84):
+      return letters_of("J");
+    case g(77):
+      return letters_of("IJLPQ");
+    default:
+      return 0;
+  }
+}
+
 }  // namespace
 
 LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRules& rules) {
@@ -158,7 +152,15 @@ LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRul
   if (code.letter != 'G') return words;
   const bool on_lathe = kind != nullptr && *kind == ChannelKind::lathe;
   if (rules.is_fanuc() && drills(code.number)) words |= letters_of("PQ");
+  if (rules.is_haas()) words |= words_of_haas(code.number);
+  if (rules.is_linuxcnc() && code.number == g(64)) words |= letters_of("R");
+  if (rules.is_fanuc() && !on_lathe && drills_with_shift(code.number, rules))
+    words |= letters_of("IJ");
   if (!on_lathe) return words;
+  if (rules.is_fanuc() && (code.number == g(77) || code.number == g(78))) words |= letters_of("I");
+  if (rules.is_fanuc() && code.number == g(79)) words |= letters_of("K");
+  if (rules.is_haas() && code.number == g(73)) words |= letters_of("ID");
+  if (code.number == g(70)) words |= rules.is_haas() ? letters_of("UWD") : letters_of("UW");
   if (code.number == g(73)) words |= letters_of("PUW");
   if (code.number == g(76)) words |= letters_of("AD");
   if (code.number == g(83) || code.number == g(85)) words |= letters_of("P");

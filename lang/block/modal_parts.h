@@ -19,6 +19,21 @@ namespace stanok::lang {
 
 inline constexpr std::size_t spindles_max = 16;
 
+// Pecks of Haas that become less: the first one, by how much each next one is smaller, the
+// smallest.
+struct VariablePecks {
+  double first = 0.0;  // I; 0: all pecks are Q
+  double less = 0.0;   // J
+  double last = 0.0;   // K; beside Q the depth after which G73 goes back to R
+};
+
+// The way of the tool off the wall in the plane, mm; else it is Q, away from the edge.
+struct HoleShift {
+  bool is_given = false;
+  double first = 0.0;
+  double second = 0.0;
+};
+
 // A sequence of drilling cycles: what stays valid from hole to hole. Levels along the tool axis in
 // W, mm.
 struct DrillingCycle {
@@ -26,11 +41,15 @@ struct DrillingCycle {
   double retract_level = 0.0;  // R
   double bottom = 0.0;         // Z
   double peck = 0.0;           // Q
+  VariablePecks variable;      // I J K of Haas
+  HoleShift shift;             // I J of G76 and G87
   double dwell_s = -1.0;       // P; below zero: none
   double lead = 0.0;           // K of tapping; 0: from F
+  double return_factor = 1.0;  // J of tapping on Haas
   bool has_retract_level = false;
   bool has_bottom = false;
-  AxisValues hole{};  // G88: where the tool is bored out by hand
+  AxisValues hole{};            // G88: where the tool is bored out by hand
+  AxisValues pattern_centre{};  // of holes whose cycle is not done yet
 };
 
 // A sequence of G77, G78 or G79: W, radii, mm.

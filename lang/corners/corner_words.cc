@@ -29,6 +29,16 @@ std::string name_of(const WordName& word) {
   return word.letter == 0 ? word.name : std::string(1, word.letter);
 }
 
+// Which axis alone the block had to move for its chamfer I or K; 0: it does, or has none.
+char axis_of_square_chamfer(const ActiveBlock& block, const WordName& place) {
+  if (place.letter != 'I' && place.letter != 'K') return 0;
+  const bool behind_z = place.letter == 'I';
+  const AxisIndex axis = block.channel_words.geometry_axis(behind_z ? 2 : 0);
+  const bool alone = axis.exists() && block.programmed == axis_bit(axis) &&
+                     block.words.has('I') != block.words.has('K');
+  return alone ? '\0' : behind_z ? 'Z' : 'X';
+}
+
 }  // namespace
 
 void read_corner(ActiveBlock& block) {
@@ -42,6 +52,12 @@ void read_corner(ActiveBlock& block) {
     block.fail("E4150", place, "a corner has a chamfer or a rounding", "both in one block");
   } else if (!block.flow.moves) {
     block.fail("E4150", place, "`" + name_of(place) + "` needs a motion in its block", "no motion");
+  } else if (const char axis = axis_of_square_chamfer(block, place); axis != 0) {
+    block
+        .fail("E4150", place,
+              "`" + name_of(place) + "` is a chamfer behind a move of " + axis + " alone",
+              "another move")
+        .help.emplace_back("write the chamfer as `C` or `,C`");
   } else if (word->value < 0.0) {
     block.fail("E4008", place, "`" + name_of(place) + "` must not be negative", "negative");
   } else if (!has_plane(block) || block.modal.transformation.axis >= 0) {

@@ -367,7 +367,16 @@ void Loader::find_jump_targets() {
 void Loader::check_jump(FileIndex index, const ConstantJump& jump) {
   const auto found = program_->files[index]->block_index.find(jump.number, jump.position);
   const auto fault = fault_of_jump(jump.number, found);
-  if (fault) loaded_[index].reporter->error(fault->code, jump.span, fault->message, fault->label);
+  if (!fault) return;
+  Reporter& reporter = *loaded_[index].reporter;
+  // Controls of Fanuc miss a block when they jump, not before: macros end so on wrong arguments.
+  const bool when_reached = found.missing == BlockIndex::Missing::unknown &&
+                            program_->files[index]->source.rules().is_fanuc();
+  if (when_reached) {
+    reporter.warning(fault->code, jump.span, fault->message, fault->label);
+  } else {
+    reporter.error(fault->code, jump.span, fault->message, fault->label);
+  }
 }
 
 Expected<std::shared_ptr<const Program>, Diagnostics> Loader::result() {

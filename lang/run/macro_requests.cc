@@ -15,6 +15,7 @@ constexpr double ms_per_s = 1000.0;
 constexpr int first_edge = 1;
 constexpr int first_table = 1;
 constexpr int parts_made = 3901;
+constexpr int single_block_switch = 3003;
 
 Request machine_value(std::string_view name, int index) {
   Request request;
@@ -61,6 +62,8 @@ void MacroRequests::read_machine(const MachineVariable& variable) {
       return read_tool_value(variable);
     case Kind::parts:
       return vm_.stack().push(value_of(value_or_zero(parameters_.kept_variable(variable.index))));
+    case Kind::override_switch:
+      return vm_.stack().push(value_of(override_switches(variable.index)));
     case Kind::output:
     case Kind::work_offset:
       break;
@@ -112,9 +115,42 @@ void MacroRequests::set_machine(const MachineVariable& variable, double value) {
       return write_table(variable, value);
     case Kind::parts:
       return parameters_.set_kept_variable(variable.index, value);
+    case Kind::override_switch:
+      return set_override_switches(variable.index, value);
     default:
       return vm_.fail("E3013", "this variable shows the state of the machine", "cannot be set");
   }
+}
+
+// #3003: bit 0 keeps single block from stopping, bit 1 the functions from being waited for; here
+// both do what they always do. #3004: bit 0 lets a feed hold wait, bit 1 keeps the feed override
+// from acting, bit 2 switches exact stop off, which programs choose here by G61 and G64 alone.
+// Source: Fanuc B-63944EN, 16.2.
+double MacroRequests::override_switches(int number) const {
+  if (number == single_block_switch) return single_block_;
+  const ModalSwitches& switches = state_.modal.switches;
+  return (switches.feed_stop ? 0.0 : 1.0) + (switches.feed_override ? 0.0 : 2.0);
+}
+
+void MacroRequests::set_override_switches(int number, double value) {
+  const int largest = number == single_block_switch ? 3 : 7;
+  if (!is_integer(value) || value < 0.0 || value > largest) {
+    return vm_.fail(
+        "E3009",
+        "#" + std::to_string(number) + " takes a whole number from 0 to " + std::to_string(largest),
+        "out of range");
+  }
+  if (number == single_block_switch) {
+    single_block_ = value;
+    return;
+  }
+  const int bits = static_cast<int>(std::lround(value));
+  ModalSwitches& switches = state_.modal.switches;
+  switches.feed_stop = (bits & 1) == 0;
+  switches.feed_override = (bits & 2) == 0;
+  state_.begin_commands(vm_.instruction_origin());
+  state_.queue.emit(OverrideControl{switches.feed_override, switches.spindle_override,
+                                    switches.adaptive_feed, switches.feed_stop});
 }
 
 void MacroRequests::write_table(const MachineVariable& variable, double value) {

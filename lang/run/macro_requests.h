@@ -33,6 +33,8 @@ class MacroRequests {
   void read_tool_value(const MachineVariable& variable);
   void set_machine(const MachineVariable& variable, double value);
   void write_table(const MachineVariable& variable, double value);
+  [[nodiscard]] double override_switches(int number) const;
+  void set_override_switches(int number, double value);
   [[nodiscard]] double unit_of_tool_value(int value) const;
 
   Vm& vm_;
@@ -40,6 +42,7 @@ class MacroRequests {
   ParameterStore& parameters_;
   PendingAnswer& pending_;
   ChannelRequests& requests_;
+  double single_block_ = 0.0;  // #3003, which changes nothing
   double timer_zero_s_ = 0.0;  // clock at which #3001 was 0
   double timer_set_ms_ = 0.0;  // what #3001 is set to, until the clock answers
   AxisIndex position_axis_;    // of the reading of #5041 that waits

@@ -17,6 +17,7 @@ constexpr int block_end_first = 5001;
 constexpr int machine_first = 5021;
 constexpr int work_first = 5041;
 constexpr int skip_first = 5061;
+constexpr int length_first = 5081;  // of the tool length in force; not on lathes
 
 // Work offsets: first number, page of it, pages, numbers from page to page.
 struct OffsetBlock {
@@ -196,6 +197,14 @@ std::optional<double> modal_variable(int number, const ParameterView& view,
   }
 }
 
+// In units of the program; 0 for axes that have none.
+double length_in_force(const BlockSurroundings& around, AxisIndex axis) {
+  const int geometry = around.channel.axes[axis.place()].geometry;
+  if (geometry < 0 || geometry > 2) return 0.0;
+  const double length_mm = around.modal.tool.length.offset_mm[static_cast<std::size_t>(geometry)];
+  return around.modal.inches() ? length_mm / mm_per_inch : length_mm;
+}
+
 }  // namespace
 
 std::optional<double> system_variable(int number, const ParameterView& view,
@@ -210,6 +219,9 @@ std::optional<double> system_variable(int number, const ParameterView& view,
     const auto row = around.tables.work_offset(offset->value);
     return row ? std::optional(as_programmed(around, axis, (*row)[axis])) : std::nullopt;
   }
+  if (const auto axis = axis_at(number, length_first, around.channel);
+      axis && around.channel.kind != ChannelKind::lathe)
+    return length_in_force(around, *axis);
   constexpr int tool_in_spindle = 3026;
   if (rules.is_haas() && number == tool_in_spindle) return around.modal.tool.active;
   return modal_variable(number, view, rules);
@@ -241,6 +253,7 @@ std::optional<MachineVariable> machine_variable(int number, const ChannelDescrip
   if (const auto axis = axis_at(number, work_first, channel))
     return MachineVariable{Kind::work_position, axis->number(), 0};
   if (number == 3001) return MachineVariable{Kind::timer, 0, 0};
+  if (number == 3003 || number == 3004) return MachineVariable{Kind::override_switch, number, 0};
   if (number == 3901 || number == 3902) return MachineVariable{Kind::parts, number, 0};
   if (const auto place = place_in(number, 1000, 32)) return MachineVariable{Kind::input, *place, 0};
   if (const auto place = place_in(number, 1100, 32))
@@ -259,7 +272,6 @@ std::string_view meaning_elsewhere(int number) {
   if (number == 3000) return "an alarm; it is set to a number alone in its block";
   if (number == 3006) return "a stop with a message; it is set to a number alone in its block";
   if (number == 3002) return "the hours of operation";
-  if (number == 3003 || number == 3004) return "single block and feed hold switched off";
   if (number == 3011 || number == 3012) return "date and time, which programs do not see";
   if (within(3000, 3999)) return "settings of the control";
   if (within(4001, 4399)) return "modal information that is not known here";

@@ -29,6 +29,7 @@ struct MachineVariable {
     tool_value,        // #2001, #10001: value `value` (settable_tool) of tool `index`
     work_offset,       // #5221, #7001: axis `index` of page `value`; can be set only
     parts,             // #3901, #3902
+    override_switch,   // #3003, #3004: `index`; what keys of the operator do
   };
   Kind kind = Kind::timer;
   int index = 0;

@@ -50,6 +50,8 @@ inline constexpr auto macro_operators = std::to_array<BracketOperator>({
     {"or", 2, Operation::macro_or},
     {"xor", 2, Operation::macro_xor},
     {"mod", 3, Operation::macro_modulo},
+    {"an", 3, Operation::macro_and},
+    {"xo", 2, Operation::macro_xor},
 });
 
 // The row of an operator by its folded name, or nullptr.
@@ -88,14 +90,15 @@ inline constexpr auto bracket_functions = std::to_array<BracketFunction>({{"abs"
                                                                           {"sqrt", "sqrt"},
                                                                           {"tan", "tan"}});
 
-// What the Fanuc dialect has instead and besides. ATAN of one value is "atan".
-inline constexpr auto macro_functions = std::to_array<BracketFunction>({{"asin", "asin", true},
-                                                                        {"atan", "atan2", true},
-                                                                        {"bcd", "to_bcd"},
-                                                                        {"bin", "from_bcd"},
-                                                                        {"fix", "trunc"},
-                                                                        {"fup", "round_away"},
-                                                                        {"sqr", "sqrt"}});
+// What the Fanuc dialect has instead and besides, with the abbreviations of B-63944EN, 16.8. ATAN
+// of one value is "atan".
+inline constexpr auto macro_functions = std::to_array<BracketFunction>(
+    {{"asin", "asin", true}, {"atan", "atan2", true}, {"bcd", "to_bcd"},     {"bin", "from_bcd"},
+     {"fix", "trunc"},       {"fup", "round_away"},   {"sqr", "sqrt"},       {"ab", "abs"},
+     {"ac", "acos"},         {"as", "asin", true},    {"at", "atan2", true}, {"bc", "to_bcd"},
+     {"bi", "from_bcd"},     {"co", "cos"},           {"ex", "exp"},         {"fi", "trunc"},
+     {"fu", "round_away"},   {"ro", "round"},         {"si", "sin"},         {"sq", "sqrt"},
+     {"ta", "tan"}});
 
 // The row of a function by its folded name, or nullptr.
 [[nodiscard]] constexpr const BracketFunction* find_bracket_function(std::string_view name,

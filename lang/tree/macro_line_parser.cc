@@ -1,6 +1,7 @@
 #include "lang/tree/macro_line_parser.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "lang/text/block_number.h"
@@ -12,19 +13,37 @@ namespace {
 
 constexpr std::string_view goto_word = "goto";
 
+// The abbreviations of Fanuc (B-63944EN, 16.8) and what they stand for.
+constexpr auto abbreviations =
+    std::to_array<std::pair<std::string_view, std::string_view>>({{"wh", "while"},
+                                                                  {"go", "goto"},
+                                                                  {"en", "end"},
+                                                                  {"th", "then"},
+                                                                  {"po", "popen"},
+                                                                  {"pc", "pclos"},
+                                                                  {"dp", "dprnt"},
+                                                                  {"bp", "bprnt"}});
+
 }  // namespace
+
+std::string_view macro_keyword(std::string_view folded_name, const TextRules& rules) {
+  if (!rules.is_fanuc()) return folded_name;
+  const auto* const found = std::ranges::find(
+      abbreviations, folded_name, &std::pair<std::string_view, std::string_view>::first);
+  return found == abbreviations.end() ? folded_name : found->second;
+}
 
 MaybeStatement MacroLineParser::parse_macro_line() {
   cursor_.set_line_ends(LineEnds::significant);
   cursor_.begin_operators();
-  const std::string name = folded(scanner_.name_ahead());
-  const Span span = scanner_.here(static_cast<std::uint32_t>(name.size()));
+  const Span span = scanner_.here(static_cast<std::uint32_t>(scanner_.name_ahead().size()));
+  const std::string name = keyword_ahead();
   if (name == "if") return parse_if();
   if (name == "while" || name == "wh") return parse_while();
-  if (name.starts_with(goto_word)) return parse_goto();
+  if (name == goto_word) return parse_goto();
   if (name == "popen" || name == "pclos") return parse_printer_switch();
   if (name == "dprnt" || name == "bprnt") return parse_print();
-  if (name.starts_with("do")) {
+  if (name == "do") {
     Expression always;
     always.number = 1.0;
     always.span = span;
@@ -47,17 +66,22 @@ MaybeExpression MacroLineParser::parse_condition() {
 }
 
 // The letters that stand here, without the digits behind them.
-std::string MacroLineParser::keyword_ahead() const {
+std::string MacroLineParser::letters_ahead() const {
   std::string name = folded(scanner_.name_ahead());
   while (!name.empty() && is_digit(name.back())) name.pop_back();
   return name;
+}
+
+// The keyword that they are, or are short for.
+std::string MacroLineParser::keyword_ahead() const {
+  return std::string(macro_keyword(letters_ahead(), cursor_.source().rules()));
 }
 
 // Reads `word`, which digits may follow directly; false when something else stands here.
 bool MacroLineParser::take_word(std::string_view word) {
   scanner_.skip_blanks(LineEnds::significant);
   if (keyword_ahead() != word) return false;
-  scanner_.advance(word.size());
+  scanner_.advance(letters_ahead().size());
   return true;
 }
 
@@ -219,9 +243,9 @@ std::optional<std::string> MacroLineParser::take_end(StatementList& body) {
   const std::size_t before = behind_block_number();
   constexpr std::string_view word = "end";
   std::size_t at = before;
-  for (const char letter : word) {
-    if (lower_case(scanner_.character(at++)) != letter) return std::nullopt;
-  }
+  std::string letters;
+  while (is_name_start(scanner_.character(at))) letters += lower_case(scanner_.character(at++));
+  if (macro_keyword(letters, cursor_.source().rules()) != word) return std::nullopt;
   while (is_blank(scanner_.character(at))) ++at;
   if (!is_digit(scanner_.character(at))) return std::nullopt;
   if (before != 0) {

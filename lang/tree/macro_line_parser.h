@@ -23,6 +23,9 @@ namespace stanok::lang {
 // How the label of a loop of macro lines begins; no O-line has a blank in it.
 inline constexpr std::string_view macro_loop_label = "end ";
 
+// The keyword that a folded name is short for in the dialects of Fanuc, else the name itself.
+[[nodiscard]] std::string_view macro_keyword(std::string_view folded_name, const TextRules& rules);
+
 class MacroLineParser {
  public:
   // All must outlive this.
@@ -50,6 +53,7 @@ class MacroLineParser {
   MaybeStatement parse_print();
   MaybeExpression parse_printed_value();
   bool parse_loop_body(While& loop, const Span& opened);
+  [[nodiscard]] std::string letters_ahead() const;
   [[nodiscard]] std::string keyword_ahead() const;
   [[nodiscard]] std::size_t behind_block_number() const;
   std::optional<std::string> take_end(StatementList& body);

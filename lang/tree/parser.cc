@@ -61,6 +61,13 @@ bool is_numbered(std::string_view name, std::string_view word) {
          std::all_of(name.begin() + static_cast<std::ptrdiff_t>(word.size()), name.end(), is_digit);
 }
 
+// `en1` of the Fanuc dialect is `end1`.
+std::string with_whole_keyword(const std::string& name, const TextRules& rules) {
+  const std::size_t letters = std::min(name.find_first_of("0123456789"), name.size());
+  const std::string_view whole = name;
+  return std::string(macro_keyword(whole.substr(0, letters), rules)) + name.substr(letters);
+}
+
 // Parameters of a program that does not run: no value is known.
 class UnknownParameters : public Parameters {
  public:
@@ -175,8 +182,11 @@ void Parser::parse_statement(StatementList& list) {
   if (context_.watch != nullptr) context_.watch->count_statement();
   const std::size_t start = scanner().offset();
   const std::uint32_t line = scanner().line();
-  const int skip_level = take_block_skip();
+  int skip_level = scanner().at_line_start() ? take_block_skip() : 0;
   const int number = take_block_number();
+  // Fanuc leaves out what is behind a `/` (B-63944EN, 13.2): all of the block, behind its number.
+  if (number >= 0 && skip_level == 0 && cursor_.source().rules().is_fanuc())
+    skip_level = take_block_skip();
   if (scanner().at_line_end()) return;
   auto statement = parse_kind();
   if (!statement) {
@@ -241,7 +251,7 @@ bool Parser::take_plain_lines(StatementList& list) {
 }
 
 int Parser::take_block_skip() {
-  if (scanner().character() != '/' || !scanner().at_line_start()) return 0;
+  if (scanner().character() != '/' || scanner().character(1) == '/') return 0;
   scanner().advance(1);
   int level = 1;
   const char digit = scanner().character();
@@ -269,7 +279,10 @@ MaybeStatement Parser::parse_kind() {
   const char c = scanner().character();
   const char next = scanner().character(1);
   if (c == '#') return is_name_start(next) ? directives_.parse_directive() : iso_.parse_iso();
-  const bool o_line = is_digit(next) || next == '<' || next == '[' || next == '#';
+  std::size_t behind = 1;
+  while (is_blank(scanner().character(behind))) ++behind;
+  const char label = scanner().character(behind);
+  const bool o_line = is_digit(label) || label == '<' || label == '[' || label == '#';
   const bool program_letter = is_program_letter(c, cursor_.source().rules());
   if (program_letter && (c == ':' ? is_digit(next) : o_line)) return o_lines_.parse_o_line();
   if (c == '{') return statements_.parse_compound();
@@ -292,8 +305,9 @@ MaybeStatement Parser::parse_kind() {
 
 // A statement that begins with at least two letters.
 MaybeStatement Parser::parse_named_start() {
-  const std::string name = folded(scanner().name_ahead());
-  std::size_t next = name.size();
+  const std::string written = folded(scanner().name_ahead());
+  const std::string name = with_whole_keyword(written, cursor_.source().rules());
+  std::size_t next = written.size();
   while (is_blank(scanner().character(next))) ++next;
   const char behind = scanner().character(next);
   const bool macro_condition =

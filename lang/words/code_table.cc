@@ -211,6 +211,8 @@ constexpr auto code_rows = std::to_array<Code>({
     g(1030, none, P::path_mode, no_axes, "P", everywhere, only_modal, "look-ahead limit"),
     g(1540, work_offset, P::work_offset, no_axes, "P", not_master, select_work_offset,
       "work offset of the extended table"),
+    g(1840, motion, P::motion, axes, "RPKL", lathe_only, drill_hole,
+      "left-hand tapping into the face"),
     g(1870, none, P::path_mode, no_axes, "PE", everywhere, only_modal, "smoothness"),
     m(0, stop, P::stop, "", everywhere, stop_program, "program stop"),
     m(10, stop, P::stop, "", everywhere, stop_program, "optional stop"),

@@ -17,6 +17,9 @@ inline constexpr std::string_view angle_word = ",A";
 inline constexpr LetterSet plain_corner_letters =
     letter_bit('A') | letter_bit('C') | letter_bit('R');
 
+// And those of a chamfer behind a move of Z alone, and of X alone.
+inline constexpr LetterSet square_chamfer_letters = letter_bit('I') | letter_bit('K');
+
 [[nodiscard]] constexpr bool is_corner_word(std::string_view name) {
   return name == chamfer_word || name == rounding_word || name == angle_word;
 }

@@ -1,0 +1,159 @@
+#include "lang/words/dialect_codes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace stanok::lang {
+namespace {
+
+// In words alone: code_table.cc has rows of these names.
+constexpr CodeNumber g_code(int whole, int tenth = 0) {
+  return lang::g(whole, tenth);
+}
+constexpr CodeNumber m_code(int whole) {
+  return lang::m(whole);
+}
+
+constexpr Code dialect_row(CodeNumber number, Group group, EffectOrder order,
+                           std::string_view words, CodeAction action, std::string_view title) {
+  return {'G',
+          number,
+          group,
+          group_bit(group),
+          order,
+          AxisWords::unused,
+          letters_of(words),
+          Availability::everywhere,
+          action,
+          title};
+}
+
+constexpr Code switch_of_look_ahead(CodeNumber number, std::string_view words) {
+  return dialect_row(number, Group::none, EffectOrder::path_mode, words,
+                     CodeAction::accept_high_speed, "look-ahead switch");
+}
+
+// G5 and G5.1 without axis words are no curves.
+constexpr Code high_speed_by_p = switch_of_look_ahead(g_code(5), "P");
+constexpr Code high_speed_by_q = switch_of_look_ahead(g_code(5, 1), "Q");
+// With the level of smoothness. Source: Fanuc B-64304EN-2, "AI contour control".
+constexpr Code high_speed_with_level = switch_of_look_ahead(g_code(5, 1), "QR");
+// G8 P1 and G8 P0 of Fanuc, the look-ahead of older controls.
+constexpr Code look_ahead_by_p = switch_of_look_ahead(g_code(8), "P");
+// The protected zones of Fanuc are not there: they are off always. G22 wants them and stays
+// unknown.
+constexpr Code zones_off = dialect_row(g_code(23), Group::none, EffectOrder::settings, "",
+                                       CodeAction::only_modal, "protected zones off");
+// G54 P2 of Fanuc is G54.1 P2 (B-64304EN-2, 7.2.6).
+constexpr Code extended_offset =
+    dialect_row(g_code(54, 1), Group::work_offset, EffectOrder::work_offset, "P",
+                CodeAction::select_work_offset, "work offset of the extended table");
+
+// Patterns of holes. Source: Haas mill operator's manual, G70, G71, G72.
+constexpr Code pattern(CodeNumber number, std::string_view words, std::string_view title) {
+  return dialect_row(number, Group::none, EffectOrder::motion, words, CodeAction::drill_pattern,
+                     title);
+}
+constexpr Code bolt_circle = pattern(g_code(70), "IJL", "holes on a circle");
+constexpr Code bolt_arc = pattern(g_code(71), "IJKL", "holes on an arc");
+constexpr Code bolt_line = pattern(g_code(72), "IJL", "holes on a line");
+
+constexpr std::size_t offsets_of_haas =
+    static_cast<std::size_t>(last_offset_of_haas - first_offset_of_haas) / 10 + 1;
+constexpr auto offset_rows = [] {
+  std::array<Code, offsets_of_haas> rows;
+  CodeNumber number = first_offset_of_haas;
+  for (Code& offset : rows) {
+    offset = dialect_row(number, Group::work_offset, EffectOrder::work_offset, "",
+                         CodeAction::select_work_offset, "work offset of the extended table");
+    number = static_cast<CodeNumber>(number + 10);
+  }
+  return rows;
+}();
+
+// Cycles that lathes of Haas have as mills do, along Z. Source: Haas lathe operator's manual.
+constexpr auto cycles_along_z = std::to_array<CodeNumber>(
+    {g_code(81), g_code(82), g_code(85), g_code(86), g_code(87), g_code(88), g_code(89)});
+const Code* cycle_of_haas_lathe(CodeNumber number) {
+  static const auto rows = [] {
+    std::array<Code, cycles_along_z.size()> made;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      made[i] = *find_code('G', cycles_along_z[i]);
+      made[i].availability = Availability::not_master;
+    }
+    return made;
+  }();
+  const auto* const found = std::ranges::find(rows, number, &Code::number);
+  return found == rows.end() ? nullptr : found;
+}
+
+// G77 of Haas mills bores from behind.
+const Code* back_bore() {
+  static const Code made = [] {
+    Code code = *find_code('G', g_code(87));
+    code.number = g_code(77);
+    code.title = "boring from behind";
+    return code;
+  }();
+  return &made;
+}
+
+// Other numbers of codes: those of Fanuc lathes (B-64304EN-1, table 3.1), and a tool change of
+// Haas.
+const Code* called_otherwise(char letter, CodeNumber number, const TextRules& rules) {
+  if (letter == 'M')
+    return rules.is_haas() && number == m_code(16) ? find_code('M', m_code(6)) : nullptr;
+  if (rules.is_haas()) return nullptr;
+  switch (number) {
+    case g_code(107):
+      return find_code('G', g_code(7, 1));
+    case g_code(112):
+      return find_code('G', g_code(12, 1));
+    case g_code(113):
+      return find_code('G', g_code(13, 1));
+    default:
+      return nullptr;
+  }
+}
+
+const Code* code_of_haas(CodeNumber number, const ChannelKind* kind) {
+  if (is_offset_of_haas(number))
+    return &offset_rows[static_cast<std::size_t>(number - first_offset_of_haas) / 10];
+  if (kind == nullptr || *kind == ChannelKind::master) return nullptr;
+  if (*kind == ChannelKind::lathe) return cycle_of_haas_lathe(number);
+  switch (number) {
+    case g_code(70):
+      return &bolt_circle;
+    case g_code(71):
+      return &bolt_arc;
+    case g_code(72):
+      return &bolt_line;
+    case g_code(77):
+      return back_bore();
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
+const Code* code_of_dialect(char letter, CodeNumber number, const BlockWords& words,
+                            const ChannelKind* kind) {
+  const TextRules& rules = words.rules;
+  if (letter == 'G') {
+    const bool switch_only =
+        words.named.empty() && (words.letters & (customary_axis_letters | letters_of("IJ"))) == 0;
+    if (number == g_code(5) && switch_only && !words.has('Q')) return &high_speed_by_p;
+    if (number == g_code(5, 1) && switch_only)
+      return rules.is_fanuc() ? &high_speed_with_level : &high_speed_by_q;
+  }
+  if (!rules.is_fanuc()) return nullptr;
+  if (const Code* const other = called_otherwise(letter, number, rules)) return other;
+  if (letter != 'G') return nullptr;
+  if (number == g_code(8) && words.has('P')) return &look_ahead_by_p;
+  if (number == g_code(23)) return &zones_off;
+  if (number == g_code(54) && words.has('P')) return &extended_offset;
+  return rules.is_haas() ? code_of_haas(number, kind) : nullptr;
+}
+
+}  // namespace stanok::lang
