@@ -83,6 +83,7 @@ std::optional<OLineParser::OLineAhead> OLineParser::o_line_ahead() const {
   }
   if (!is_program_letter(character(), cursor_.source().rules())) return std::nullopt;
   ++at;
+  skip_blanks();
   OLineAhead line;
   if (!read_label(at, line)) return std::nullopt;
   line.label_length = at;
@@ -168,6 +169,7 @@ MaybeStatement OLineParser::parse_computed_call() {
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
   auto number = brackets_.parse_value();
   if (!number) return std::nullopt;
   OLabel label;
