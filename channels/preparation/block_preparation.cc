@@ -207,7 +207,8 @@ motion::Point BlockPreparation::end_of(const lang::Move& move) const {
   return end;
 }
 
-// First and second axis of a plane: XY, ZX, YZ (ISO 841), XC on a face, CZ on a cylinder.
+// First and second axis of a plane: XY, ZX, YZ (ISO 841), XC on a face, CZ on a cylinder
+// about Z, XA and BY on those about X and Y.
 std::array<int, 2> BlockPreparation::plane_axes(lang::Plane plane) const {
   const std::array<int, 3> axes = face_.geometry();
   if (face_.is_on() && face_.is_face()) return {axes[0], axes[1]};

@@ -128,8 +128,9 @@ motion::Point FaceTransformation::to_program(motion::Point path) const {
 }
 
 std::array<int, 3> FaceTransformation::geometry() const {
-  if (!is_on()) return motion_.geometry;
-  return {motion_.geometry[0], change_.rotary_axis, motion_.geometry[2]};
+  std::array<int, 3> axes = motion_.geometry;
+  if (is_on()) axes[AxisIndex(change_.replaced).place()] = change_.rotary_axis;
+  return axes;
 }
 
 double FaceTransformation::distance_to_pole(const motion::Point& start,

@@ -3,12 +3,13 @@
 // Symbols: c centre, p0 and p1 start and end, r0 and r1 their distances from c, in the two axes of
 // the plane (first, second). Centre from a radius: the chord's midpoint moved along the chord's
 // left normal n by +-sqrt(R^2 - (|p1 - p0| / 2)^2); left for a counter-clockwise arc of less than
-// half a turn. On a cylinder of radius r the plane is its surface, seen from outside: first is
-// r * C along the surface, in mm, second is Z.
+// half a turn. On a cylinder of radius r the plane is its surface, seen from outside, with r *
+// angle along it, in mm: C Z about Z, X A about X, B Y about Y.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
 #include "lang/actions/actions.h"
 
@@ -28,11 +29,12 @@ struct ArcPlane {
   char second_centre = 'J';
   double first_gain = 1.0;  // of lengths, by scaling and mirror
   double second_gain = 1.0;
-  double first_scale = 1.0;     // mm per unit of the first axis
+  double first_scale = 1.0;  // mm per unit of the axis
+  double second_scale = 1.0;
   Group set_by = Group::plane;  // whose code says which plane it is
 
   [[nodiscard]] Point point(const AxisValues& values) const {
-    return {first_scale * values[first], values[second]};
+    return {first_scale * values[first], second_scale * values[second]};
   }
 };
 
@@ -76,21 +78,34 @@ bool is_on_cylinder(const ActiveBlock& block) {
   return is_programmed(block, block.modal.transformation.axis);
 }
 
-// The surface of G7.1: J along C, K along Z.
+// The surface of G7.1: J along C and K along Z, I along X and J along A, I along B and J along Y.
 std::optional<ArcPlane> surface_plane(ActiveBlock& block, CodeNumber code) {
-  const AxisIndex along = block.channel_words.geometry_axis(2);
+  static constexpr std::array words{'I', 'J', 'K'};
+  const ActiveTransformation& cylinder = block.modal.transformation;
+  const std::size_t coordinate = cylinder.along;
+  const AxisIndex along = block.channel_words.geometry_axis(coordinate);
   if (!along.exists()) {
-    block.fail("E4036", code_word(code), "the channel lacks Z, the axis of the cylinder", "")
+    block
+        .fail("E4036", code_word(code),
+              std::string("the channel lacks ") + "XYZ"[coordinate] + ", the axis of the cylinder",
+              "")
         .notes.push_back(block.modal.origin_of(Group::transformation));
     return std::nullopt;
   }
-  ArcPlane plane{block.modal.transformation.axis, along, 'J', 'K'};
+  const double scale = cylinder.cylinder_radius_mm * std::numbers::pi / 180.0;
+  const bool begins_along = cylinder.along == 0;
+  ArcPlane plane{cylinder.axis, along};
+  if (begins_along) std::swap(plane.first, plane.second);
+  (begins_along ? plane.second_scale : plane.first_scale) = scale;
+  plane.first_centre = words[cylinder.along == 2 ? 1 : 0];
+  plane.second_centre = words[cylinder.along == 2 ? 2 : 1];
   plane.set_by = Group::transformation;
-  plane.second_gain = block.modal.map.gain(plane.second);
-  plane.first_scale = block.modal.transformation.cylinder_radius_mm * std::numbers::pi / 180.0;
-  if (std::abs(plane.second_gain) == 1.0) return plane;
+  (begins_along ? plane.first_gain : plane.second_gain) = block.modal.map.gain(along);
+  if (std::abs(block.modal.map.gain(along)) == 1.0) return plane;
   block
-      .fail("E4303", code_word(code), "an arc on a cylinder is not possible while Z is scaled",
+      .fail("E4303", code_word(code),
+            std::string("an arc on a cylinder is not possible while ") + "XYZ"[coordinate] +
+                " is scaled",
             "it would become an ellipse")
       .notes.push_back(block.modal.origin_of(Group::scaling));
   return std::nullopt;
@@ -137,8 +152,9 @@ std::optional<Point> centre_from_words(ActiveBlock& block, const ArcPlane& plane
     }
     const CoordinateMap& map = block.modal.map;
     const double first = block.length(plane.first_centre);
+    const double second = block.length(plane.second_centre);
     return Point{plane.first_scale == 1.0 ? map.to_work(plane.first, first) : first,
-                 map.to_work(plane.second, block.length(plane.second_centre))};
+                 plane.second_scale == 1.0 ? map.to_work(plane.second, second) : second};
   }
   const double i = block.has(plane.first_centre) ? block.length(plane.first_centre) : 0.0;
   const double j = block.has(plane.second_centre) ? block.length(plane.second_centre) : 0.0;
@@ -212,7 +228,9 @@ void move_in_arc(ActiveBlock& block, CodeNumber code) {
 
   Move move;
   move.kind = MoveKind::arc;
-  move.plane = on_cylinder                        ? Plane::yz
+  const bool about_z = on_cylinder && block.modal.transformation.along == 2;
+  move.plane = about_z                            ? Plane::yz
+               : on_cylinder                      ? Plane::xy
                : block.modal.face_axis().exists() ? Plane::xy
                                                   : block.modal.plane();
   const bool mirrored = plane->first_gain * plane->second_gain < 0.0;

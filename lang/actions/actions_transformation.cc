@@ -2,7 +2,11 @@
 //
 // On the face the channel's C is programmed in mm, as the second axis of a plane with X; on the
 // cylinder it stays in deg, and the feed is that along the surface. Where the point stands in the
-// new coordinates is the channel's knowledge: the program waits for it.
+// new coordinates is the channel's knowledge: the program waits for it. The cylinder turns by C
+// about Z, by A about X or by B about Y: the axis whose word has the radius.
+#include <algorithm>
+#include <array>
+
 #include "lang/actions/actions.h"
 
 namespace stanok::lang {
@@ -22,8 +26,8 @@ void change(ActiveBlock& block, const TransformationChange& transformation) {
   block.awaits_position = true;
 }
 
-std::optional<AxisIndex> rotary_axis(ActiveBlock& block, CodeNumber code) {
-  const AxisIndex axis = block.channel_words.axis_called("C");
+std::optional<AxisIndex> rotary_axis(ActiveBlock& block, CodeNumber code, char word) {
+  const AxisIndex axis = block.channel_words.axis_called(std::string_view(&word, 1));
   if (axis.exists() && block.channel.axes[axis].rotary) {
     if (is_spindle_now(block, axis)) {
       refuse_axis_that_is_spindle(block, axis);
@@ -32,8 +36,27 @@ std::optional<AxisIndex> rotary_axis(ActiveBlock& block, CodeNumber code) {
     return axis;
   }
   block.fail("E4306", {'G', code, {}},
-             "`" + code_text('G', code) + "` needs a rotary axis C in the channel", "");
+             "`" + code_text('G', code) + "` needs a rotary axis " + word + " in the channel", "");
   return std::nullopt;
+}
+
+// A rotary axis, the linear coordinate along the cylinder about which it turns, and the one whose
+// place in the planes the length around takes.
+struct CylinderAxis {
+  char word;
+  std::size_t along;
+  int replaced;
+};
+constexpr auto cylinder_axes = std::to_array<CylinderAxis>({{'C', 2, 1}, {'A', 0, 1}, {'B', 1, 0}});
+
+// The one whose word the block has; C where it has none.
+const CylinderAxis& cylinder_of(const ActiveBlock& block) {
+  const auto named = [&](const CylinderAxis& row) {
+    const AxisIndex axis = block.channel_words.axis_called(std::string_view(&row.word, 1));
+    return axis.exists() && is_programmed(block, axis);
+  };
+  const auto* const found = std::ranges::find_if(cylinder_axes, named);
+  return found == cylinder_axes.end() ? cylinder_axes[0] : *found;
 }
 
 }  // namespace
@@ -47,7 +70,7 @@ void cancel_transformation(ActiveBlock& block, CodeNumber code) {
 void select_polar_face(ActiveBlock& block, CodeNumber code) {
   if (excludes_transformation(block, code)) return;
   if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
-  const auto axis = rotary_axis(block, code);
+  const auto axis = rotary_axis(block, code, 'C');
   if (!axis) return;
   if (!block.modal.geometry[0].exists()) {
     block.fail("E4306", {'G', code, {}}, "`G12.1` needs an axis X in the channel", "");
@@ -56,17 +79,19 @@ void select_polar_face(ActiveBlock& block, CodeNumber code) {
   change(block, {Transformation::polar_face, 0.0, axis->number()});
 }
 
-// G7.1 Cn; C0 is G13.1.
+// G7.1 Cn, An or Bn; a radius of 0 is G13.1.
 void select_cylinder(ActiveBlock& block, CodeNumber code) {
-  const auto axis = rotary_axis(block, code);
-  if (!axis || !only_axes(block, code, axis_bit(*axis))) return;
   if (block.programmed == 0) {
-    block.fail("E4007", {'G', code, {}}, "`G7.1` needs C, the radius of the cylinder", "no C");
+    block.fail("E4007", {'G', code, {}}, "`G7.1` needs C, A or B, the radius of the cylinder",
+               "no radius");
     return;
   }
+  const CylinderAxis& cylinder = cylinder_of(block);
+  const auto axis = rotary_axis(block, code, cylinder.word);
+  if (!axis || !only_axes(block, code, axis_bit(*axis))) return;
   const double radius = block.values[*axis] * block.length_unit();
   if (radius < 0.0) {
-    block.fail("E4008", {'C', -1, {}}, "the radius of the cylinder must not be negative",
+    block.fail("E4008", {cylinder.word, -1, {}}, "the radius of the cylinder must not be negative",
                "negative");
     return;
   }
@@ -78,7 +103,8 @@ void select_cylinder(ActiveBlock& block, CodeNumber code) {
   }
   if (excludes_transformation(block, code)) return;
   if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
-  change(block, {Transformation::cylinder, radius, axis->number()});
+  block.modal.transformation.along = cylinder.along;
+  change(block, {Transformation::cylinder, radius, axis->number(), cylinder.replaced});
 }
 
 }  // namespace stanok::lang

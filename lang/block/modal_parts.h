@@ -242,6 +242,8 @@ struct FrameSettings {
 struct ActiveTransformation {
   int axis = -1;                    // the rotary one of G12.1 or G7.1; -1: off
   double cylinder_radius_mm = 0.0;  // G7.1
+  // G7.1: the linear coordinate along the axis of the cylinder, 2 of C, 0 of A, 1 of B.
+  std::size_t along = 2;
 };
 
 }  // namespace stanok::lang

@@ -156,6 +156,9 @@ struct TransformationChange {
   Transformation kind = Transformation::off;
   double radius_mm = 0.0;  // cylinder
   int rotary_axis = -1;    // index in the channel
+  // Cylinder: whose place in the planes the length around has, 1 of Y (about Z or X), 0 of X (about
+  // Y).
+  int replaced = 1;
 };
 
 struct Dwell {

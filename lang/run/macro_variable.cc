@@ -201,7 +201,7 @@ std::optional<double> modal_variable(int number, const ParameterView& view,
 double length_in_force(const BlockSurroundings& around, AxisIndex axis) {
   const int geometry = around.channel.axes[axis.place()].geometry;
   if (geometry < 0 || geometry > 2) return 0.0;
-  const double length_mm = around.modal.tool.length.offset_mm[static_cast<std::size_t>(geometry)];
+  const double length_mm = around.modal.tool.length.offset_mm[AxisIndex(geometry).place()];
   return around.modal.inches() ? length_mm / mm_per_inch : length_mm;
 }
 

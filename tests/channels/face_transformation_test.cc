@@ -42,7 +42,7 @@ FaceVector velocity_on_face(const ChannelOutput& channel) {
 
 class Face : public ::testing::Test {
  protected:
-  Face() : bench(testing::turning_machine()) {}
+  explicit Face(const MachineConfig& machine = testing::turning_machine()) : bench(machine) {}
 
   // Runs the program; `watch` sees the cycles in which C is an axis. Axis limits are judged.
   void run(
@@ -179,6 +179,36 @@ TEST_F(Face, TheSideOfACylinderIsAPlaneOfItsCircumference) {
   EXPECT_LT(off, 1e-9);
   EXPECT_NEAR(fastest, 10.0, 1e-9);
   EXPECT_NEAR(last, 0.0, 1e-9);
+}
+
+// The rotary axis is called A and turns about X.
+MachineConfig machine_with_axis_a() {
+  MachineConfig machine = testing::turning_machine();
+  machine.channels[0].words = {"X", "Z", "A"};
+  return machine;
+}
+
+class CylinderAboutX : public Face {
+ protected:
+  CylinderAboutX() : Face(machine_with_axis_a()) {}
+};
+
+TEST_F(CylinderAboutX, TheSideIsAPlaneOfXAndTheCircumference) {
+  // Radius 20. A full circle of radius 5 about (X 15, A 0) in the plane of X and 20 A.
+  double off = 0.0;
+  double fastest = 0.0;
+  run("G94 G8 M902\nG0 X20 Z40 A0\nG7.1 A20\nG1 F600 X20 A0\nG3 A0 I-5 J0\nG13.1\nM0\nM30\n",
+      [&](const ChannelOutput& channel) {
+        if (channel.tag.line != 5 || !channel.moving) return;
+        const double length = channel.axes[lathe_C].position * pi / 180.0 * 20.0;
+        off = std::max(off,
+                       std::abs(std::hypot(length, channel.axes[lathe_X].position - 15.0) - 5.0));
+        const double around = channel.axes[lathe_C].velocity * pi / 180.0 * 20.0;
+        fastest = std::max(fastest, std::hypot(around, channel.axes[lathe_X].velocity));
+      });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_LT(off, 1e-9);
+  EXPECT_NEAR(fastest, 10.0, 1e-9);
 }
 
 TEST_F(Face, AWorkOffsetOfCTurnsTheFace) {
