@@ -16,6 +16,20 @@ std::optional<int> signal(ActiveBlock& block, CodeNumber code, char letter, int 
   return std::nullopt;
 }
 
+// M59 P1104 and M59 P12004 of Haas: output 4, by the variable that has it.
+std::optional<int> output_by_variable(ActiveBlock& block, CodeNumber code) {
+  constexpr int first_old = 1100;
+  constexpr int last_old = 1131;
+  constexpr int first = 12000;
+  const auto number = signal(block, code, 'P', first + digital_max);
+  if (!number) return std::nullopt;
+  if (*number >= first_old && *number <= last_old) return *number - first_old;
+  if (*number >= first) return *number - first;
+  block.fail("E4008", {'P', -1, {}}, "`P` must be the variable of an output",
+             "1100 to 1131, or 12000 to 12063");
+  return std::nullopt;
+}
+
 }  // namespace
 
 OverrideControl override_control_of(const ModalState& modal) {
@@ -39,9 +53,11 @@ void switch_override(ActiveBlock& block, CodeNumber code) {
 }
 
 void switch_output(ActiveBlock& block, CodeNumber code) {
-  const auto number = signal(block, code, 'P', digital_max);
+  const bool by_variable = code == m(59) || code == m(69);
+  const auto number =
+      by_variable ? output_by_variable(block, code) : signal(block, code, 'P', digital_max);
   if (!number) return;
-  const bool on = code == m(62) || code == m(64);
+  const bool on = code == m(59) || code == m(62) || code == m(64);
   const bool with_motion = code == m(62) || code == m(63);
   block.queue.emit(OutputCommand{false, with_motion, *number, on ? 1.0 : 0.0});
 }

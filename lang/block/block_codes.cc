@@ -46,9 +46,10 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
                                    const BlockWords& words, const ChannelKind* kind,
                                    const ChannelDialect& dialect) {
   if (number == code_computed_later) return std::nullopt;
-  const Code* row = code_of_dialect(letter, number, words, kind);
+  // What the machine file says of a code goes before what a dialect has.
+  const Code* row = dialect.output(letter, number);
+  if (row == nullptr) row = code_of_dialect(letter, number, words, kind);
   if (row == nullptr) row = find_code(letter, number);
-  if (row == nullptr) row = dialect.output(letter, number);
   const auto name = [letter, number] { return code_text(letter, number); };
   const WordName word{letter, number, {}};
   if (row == nullptr) {

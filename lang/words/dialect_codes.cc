@@ -58,8 +58,7 @@ constexpr Code bolt_circle = pattern(g_code(70), "IJL", "holes on a circle");
 constexpr Code bolt_arc = pattern(g_code(71), "IJKL", "holes on an arc");
 constexpr Code bolt_line = pattern(g_code(72), "IJL", "holes on a line");
 
-constexpr std::size_t offsets_of_haas =
-    static_cast<std::size_t>(last_offset_of_haas - first_offset_of_haas) / 10 + 1;
+constexpr std::size_t offsets_of_haas = 20;
 constexpr auto offset_rows = [] {
   std::array<Code, offsets_of_haas> rows;
   CodeNumber number = first_offset_of_haas;
@@ -98,11 +97,30 @@ const Code* back_bore() {
   return &made;
 }
 
+// M59 and M69 of Haas switch an output by the number of its variable, M76 and M77 the display, M130
+// shows a file: the latter two say nothing here. Source: Haas operator's manuals.
+constexpr Code function_of_haas(CodeNumber number, std::string_view words, CodeAction action,
+                                std::string_view title) {
+  Code code = dialect_row(number, Group::none, EffectOrder::functions_before, words, action, title);
+  code.letter = 'M';
+  return code;
+}
+constexpr auto functions_of_haas = std::to_array<Code>(
+    {function_of_haas(m_code(59), "P", CodeAction::switch_output, "output on"),
+     function_of_haas(m_code(69), "P", CodeAction::switch_output, "output off"),
+     function_of_haas(m_code(76), "", CodeAction::only_modal, "display off"),
+     function_of_haas(m_code(77), "", CodeAction::only_modal, "display on"),
+     function_of_haas(m_code(130), "", CodeAction::only_modal, "picture on the display")});
+
 // Other numbers of codes: those of Fanuc lathes (B-64304EN-1, table 3.1), and a tool change of
 // Haas.
 const Code* called_otherwise(char letter, CodeNumber number, const TextRules& rules) {
-  if (letter == 'M')
-    return rules.is_haas() && number == m_code(16) ? find_code('M', m_code(6)) : nullptr;
+  if (letter == 'M') {
+    if (!rules.is_haas()) return nullptr;
+    if (number == m_code(16)) return find_code('M', m_code(6));
+    const auto* const found = std::ranges::find(functions_of_haas, number, &Code::number);
+    return found == functions_of_haas.end() ? nullptr : found;
+  }
   if (rules.is_haas()) return nullptr;
   switch (number) {
     case g_code(107):
@@ -117,8 +135,7 @@ const Code* called_otherwise(char letter, CodeNumber number, const TextRules& ru
 }
 
 const Code* code_of_haas(CodeNumber number, const ChannelKind* kind) {
-  if (is_offset_of_haas(number))
-    return &offset_rows[static_cast<std::size_t>(number - first_offset_of_haas) / 10];
+  if (is_offset_of_haas(number)) return &*std::ranges::find(offset_rows, number, &Code::number);
   if (kind == nullptr || *kind == ChannelKind::master) return nullptr;
   if (*kind == ChannelKind::lathe) return cycle_of_haas_lathe(number);
   switch (number) {
