@@ -10,6 +10,7 @@
 //                                  Z) whose A, C and R need no comma
 //
 // The machine: tools 1 to 9 of length 10 x number and radius 1, G55 at X100 Y200 Z300, all else 0.
+// The files of programs/cycles are found by their names there.
 // Requests are answered with success and the number 2; M99 in the main program begins it again
 // once.
 #include <algorithm>
@@ -367,6 +368,12 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
     for (const auto& entry : std::filesystem::recursive_directory_iterator(conformance_folder)) {
       if (entry.path().parent_path().filename() != "included") continue;
       files.texts[entry.path().filename().string()] = file_text(entry.path());
+    }
+    const std::filesystem::path cycles = conformance_folder.parent_path() / "cycles";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(cycles)) {
+      if (entry.path().extension() != ".nc") continue;
+      const auto name = std::filesystem::relative(entry.path(), cycles);
+      files.texts[name.generic_string()] = file_text(entry.path());
     }
   }
 };
