@@ -17,7 +17,7 @@ install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/SECURITY.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES ${CMAKE_SOURCE_DIR}/packaging/stanokd@.service ${CMAKE_SOURCE_DIR}/packaging/stanok-web@.service
-              ${CMAKE_SOURCE_DIR}/packaging/stanok-gateway.service
+              ${CMAKE_SOURCE_DIR}/packaging/stanok-gateway.service ${CMAKE_SOURCE_DIR}/packaging/stanok-opcua.service
         DESTINATION lib/systemd/system)
 install(FILES ${CMAKE_SOURCE_DIR}/packaging/stanok.sysusers
         DESTINATION lib/sysusers.d RENAME stanok.conf)
@@ -40,12 +40,23 @@ install(CODE "
   set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
   execute_process(COMMAND $<TARGET_FILE:stanok> manual \"\${folder}\" COMMAND_ERROR_IS_FATAL ANY)")
 set(manual_pages ${CMAKE_BINARY_DIR}/man)
-foreach(page stanokd.8 stanok-web.8 stanok-gateway.8 stanok-drives.1)
+foreach(page stanokd.8 stanok-web.8 stanok-gateway.8 stanok-opcua.8 stanok-drives.1)
   configure_file(${CMAKE_SOURCE_DIR}/packaging/man/${page}.in ${manual_pages}/${page} @ONLY)
 endforeach()
 install(FILES ${manual_pages}/stanokd.8 ${manual_pages}/stanok-web.8 ${manual_pages}/stanok-gateway.8
+              ${manual_pages}/stanok-opcua.8
         DESTINATION ${CMAKE_INSTALL_MANDIR}/man8)
 install(FILES ${manual_pages}/stanok-drives.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+# The server of OPC UA runs as it is; its packages are fetched by npm (docs/integrator/opc-ua.md).
+install(PROGRAMS ${CMAKE_SOURCE_DIR}/opcua/stanok-opcua.js DESTINATION lib/stanok/opcua)
+install(FILES ${CMAKE_SOURCE_DIR}/opcua/package.json ${CMAKE_SOURCE_DIR}/opcua/package-lock.json
+              ${CMAKE_SOURCE_DIR}/opcua/.npmrc
+        DESTINATION lib/stanok/opcua)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/opcua/source DESTINATION lib/stanok/opcua)
+install(CODE "
+  set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}\")
+  file(CREATE_LINK ../lib/stanok/opcua/stanok-opcua.js \"\${folder}/stanok-opcua\" SYMBOLIC)")
 
 # The Python package goes into a package of its own, where it was built.
 if(TARGET stanok_python_native)
@@ -82,7 +93,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS "gnuplot-nox, bash-completion")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS "gnuplot-nox, bash-completion, nodejs (>= 18)")
 set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/postinst)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)

@@ -7,6 +7,7 @@
 set -euo pipefail
 programs=$1
 pages=$2
+opcua=$(dirname "${BASH_SOURCE[0]}")/../opcua/stanok-opcua.js
 readers=()
 for reader in man mandoc; do
   if command -v "$reader" >/dev/null; then readers+=("$reader"); else echo "without $reader: not installed"; fi
@@ -29,7 +30,8 @@ warnings() {
 }
 
 "$programs/stanok" manual "$folder/man" || fail "stanok manual"
-cp "$pages/stanokd.8" "$pages/stanok-web.8" "$pages/stanok-gateway.8" "$pages/stanok-drives.1" "$folder/man"
+cp "$pages/stanokd.8" "$pages/stanok-web.8" "$pages/stanok-gateway.8" "$pages/stanok-opcua.8" \
+  "$pages/stanok-drives.1" "$folder/man"
 count=0
 for page in "$folder"/man/*; do
   count=$((count + 1))
@@ -68,4 +70,8 @@ options_of_page() {
 for page in stanokd.8 stanok-web.8 stanok-gateway.8 stanok-drives.1; do
   difference=$(diff <(options_of_help "${page%.*}") <(options_of_page "$page")) || fail "options of $page: $difference"
 done
+if command -v node >/dev/null; then
+  options=$(node "$opcua" --help | grep -oE '^  (-[a-z], )?--[a-z-]+' | grep -oE -- '--[a-z-]+' | sort -u)
+  difference=$(diff <(echo "$options") <(options_of_page stanok-opcua.8)) || fail "options of stanok-opcua.8: $difference"
+fi
 echo "manual: $count pages passed (${readers[*]})"

@@ -22,10 +22,11 @@ package=$(find "$folder/made" -maxdepth 1 -name 'stanok_*.deb')
 [[ "$(dpkg-deb --field "$package" Depends)" == *libmodbus* ]] || fail "the package does not depend on its libraries"
 dpkg-deb --extract "$package" "$folder/unpacked"
 usr=$folder/unpacked/usr
-for file in bin/stanok bin/stanokd bin/stanok-drives bin/stanok-web bin/stanok-gateway lib/systemd/system/stanokd@.service lib/systemd/system/stanok-web@.service lib/systemd/system/stanok-gateway.service lib/sysusers.d/stanok.conf \
+for file in bin/stanok bin/stanokd bin/stanok-drives bin/stanok-web bin/stanok-gateway lib/systemd/system/stanokd@.service lib/systemd/system/stanok-web@.service lib/systemd/system/stanok-gateway.service \
+  lib/systemd/system/stanok-opcua.service lib/stanok/opcua/stanok-opcua.js lib/stanok/opcua/source/server.js lib/stanok/opcua/package-lock.json lib/sysusers.d/stanok.conf \
   share/bash-completion/completions/stanok share/zsh/vendor-completions/_stanok \
   share/fish/vendor_completions.d/stanok.fish share/man/man1/stanok.1 share/man/man1/stanok-program.1 \
-  share/man/man1/stanok-drives.1 share/man/man8/stanokd.8 share/man/man8/stanok-web.8 share/man/man8/stanok-gateway.8 \
+  share/man/man1/stanok-drives.1 share/man/man8/stanokd.8 share/man/man8/stanok-web.8 share/man/man8/stanok-gateway.8 share/man/man8/stanok-opcua.8 \
   share/doc/stanok/README.md share/doc/stanok/docs/integrator/install.md share/doc/stanok/copyright; do
   [[ -s $usr/$file ]] || fail "the package lacks usr/$file"
 done
@@ -35,6 +36,13 @@ done
 "$usr/bin/stanok" simulate "$usr/share/stanok/examples/helix.nc" \
   --machine "$usr/share/stanok/machines/mill3.toml" >/dev/null || fail "simulate"
 "$usr/bin/stanokd" --machine "$usr/share/stanok/machines/mill3.toml" --check-config >/dev/null || fail "stanokd"
+
+# The server of OPC UA says what it wants of npm.
+if command -v node >/dev/null; then
+  [[ $("$usr/bin/stanok-opcua" --help) == *--daemon* ]] || fail "stanok-opcua --help"
+  text=$("$usr/bin/stanok-opcua" --daemon "mill=$folder/op.sock" 2>&1) && fail "stanok-opcua runs without node-opcua"
+  [[ $text == *"npm ci"* ]] || fail "stanok-opcua: $text"
+fi
 
 # The Python package, where it was built: it needs nothing of the build, and finds the cycles of the other package.
 python_package=$(find "$folder/made" -maxdepth 1 -name 'python3-stanok_*.deb')
@@ -85,11 +93,11 @@ man_pages=$(find "$usr/share/man" -name 'stanok*' | wc -l)
 grep -q "stanok $("$usr/bin/stanok" --version)" "$usr/share/man/man8/stanokd.8" || fail "stanokd(8) is of another version"
 
 if command -v systemd-analyze >/dev/null; then
-  for unit in stanokd@ stanok-web@ stanok-gateway; do
+  for unit in stanokd@ stanok-web@ stanok-gateway stanok-opcua; do
     name=${unit%@}
     sed "s|/usr/bin/$name|$usr/bin/$name|; /^Documentation=/d" "$usr/lib/systemd/system/$unit.service" >"$folder/$unit.service"
   done
-  for unit in stanokd@ stanok-web@ stanok-gateway; do
+  for unit in stanokd@ stanok-web@ stanok-gateway stanok-opcua; do
     systemd-analyze verify "$folder/$unit.service" 2>"$folder/unit.log" || fail "the unit: $(cat "$folder/unit.log")"
   done
 fi

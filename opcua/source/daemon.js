@@ -1,0 +1,152 @@
+// Daemon: one stanokd as an observer sees it, over the socket of the operators; connects again
+// whenever it went away.
+//
+// `on_view(view)` is called with everything that is known, at most `rate_hz` times a second, and
+// with null once when the daemon is away. A view has `info` (system.info), `machine` and `channels`
+// (machine.status, channel.status), `tools`, `alarms` and `runs` as the daemon answers them.
+import { connect } from 'node:net';
+
+const again_after_ms = 1000;
+const silence_max_ms = 10_000; // a status has a new cycle at each period
+const line_bytes_max = 16 * 2 ** 20;
+const lists_period_max_ms = 10_000; // tables change without an event
+
+/** RFC 7396. */
+export function merge_patch(target, patch) {
+  if (patch === null || typeof patch !== 'object' || Array.isArray(patch)) return patch;
+  const merged =
+    target !== null && typeof target === 'object' && !Array.isArray(target) ? { ...target } : {};
+  for (const [name, value] of Object.entries(patch)) {
+    if (value === null) delete merged[name];
+    else merged[name] = merge_patch(merged[name], value);
+  }
+  return merged;
+}
+
+// A row of a history is new, or a run that has ended meanwhile.
+const followed_members = ['run', 'state', 'program_status', 'alarm', 'program'];
+
+export class Daemon {
+  constructor({ name, socket }, rate_hz, on_view) {
+    Object.assign(this, { name, path: socket, rate_hz, on_view, told: '', stopped: false });
+  }
+
+  start() {
+    this.#connect();
+  }
+
+  stop() {
+    this.stopped = true;
+    clearTimeout(this.again);
+    this.socket?.destroy();
+  }
+
+  #connect() {
+    this.text = '';
+    this.answers = new Map();
+    this.last_id = 0;
+    this.state = null;
+    this.lists = null;
+    this.reason = 'the connection has ended';
+    this.socket = connect(this.path);
+    this.socket.setEncoding('utf8');
+    this.socket.setTimeout(silence_max_ms, () => this.#end('the daemon does not say anything'));
+    this.socket.on('data', (text) => this.#take(text));
+    this.socket.on('error', (error) => (this.reason = error.message));
+    this.socket.on('close', () => this.#closed());
+  }
+
+  #end(reason) {
+    this.reason = reason;
+    this.socket.destroy();
+  }
+
+  #closed() {
+    for (const { reject } of this.answers.values()) reject(new Error(this.reason));
+    this.on_view(null);
+    if (this.stopped) return;
+    if (this.reason !== this.told) console.error(`${this.name}: ${this.reason}; tried again`);
+    this.told = this.reason;
+    this.again = setTimeout(() => this.#connect(), again_after_ms);
+  }
+
+  #take(text) {
+    const lines = (this.text + text).split('\n');
+    this.text = lines.pop();
+    if (this.text.length > line_bytes_max) return this.#end('the daemon says too much at once');
+    for (const line of lines) {
+      try {
+        this.#take_message(JSON.parse(line));
+      } catch (error) {
+        return this.#end(`what the daemon says cannot be shown: ${error.message.split('\n')[0]}`);
+      }
+    }
+  }
+
+  #take_message({ id, method, params, result, error }) {
+    if (method === 'hello') return this.#guarded(this.#greet());
+    if (method === 'status') return this.#take_status(params);
+    if (method === 'event') return void (this.are_lists_old = true);
+    if (method === 'dropped')
+      return this.#end(params?.reason ?? params?.message ?? 'the daemon has no place');
+    const waits = this.answers.get(id);
+    this.answers.delete(id);
+    if (error) waits?.reject(new Error(error.message));
+    else waits?.resolve(result);
+  }
+
+  #guarded(promise) {
+    promise.catch((error) => this.#end(error.message));
+  }
+
+  #ask(method, params = {}) {
+    const id = ++this.last_id;
+    this.socket.write(JSON.stringify({ jsonrpc: '2.0', id, method, params }) + '\n');
+    return new Promise((resolve, reject) => this.answers.set(id, { resolve, reject }));
+  }
+
+  async #greet() {
+    await this.#ask('session.role', { role: 'observer', name: 'stanok-opcua' });
+    this.info = await this.#ask('system.info');
+    await this.#read_lists();
+    await this.#ask('subscribe', {
+      topics: ['machine', 'channels', 'events'],
+      rate_hz: this.rate_hz,
+    });
+    console.error(`${this.name}: connected to ${this.path}`);
+    this.told = '';
+  }
+
+  async #read_lists() {
+    this.are_lists_old = false;
+    this.lists_read_ms = Date.now();
+    const [tools, alarms, runs] = await Promise.all([
+      this.#ask('tool.list'),
+      this.#ask('alarm.list'),
+      this.#ask('program.history'),
+    ]);
+    this.lists = { tools: tools.tools, alarms: alarms.alarms, runs: runs.runs };
+    this.#tell();
+  }
+
+  #take_status({ full, state }) {
+    this.state = merge_patch(full ? {} : this.state, state);
+    const followed = JSON.stringify(
+      Object.values(this.state.channels ?? {}).map((one) =>
+        followed_members.map((name) => one[name]),
+      ),
+    );
+    if (followed !== this.followed) this.are_lists_old = true;
+    this.followed = followed;
+    const age_ms = Date.now() - this.lists_read_ms;
+    if (this.are_lists_old || age_ms > lists_period_max_ms) this.#guarded(this.#read_lists());
+    this.#tell();
+  }
+
+  #tell() {
+    if (!this.state?.machine || !this.state.channels || !this.lists) return;
+    const { machine, channels } = this.state;
+    const in_order = Object.values(channels).sort((a, b) => a.id - b.id);
+    this.on_view({ info: this.info, machine, channels: in_order, ...this.lists });
+  }
+}

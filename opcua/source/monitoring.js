@@ -1,0 +1,148 @@
+// Monitoring: the machine tool as a whole, its channels, axes and spindles.
+import { DataType, Range, standardUnits } from 'node-opcua';
+import {
+  ChannelState,
+  axis_in,
+  channel_mode,
+  is_rotating,
+  operation_mode,
+  spindle_in,
+} from './words.js';
+
+// Ranges of override.feed, override.rapid and override.spindle.
+const feed_range = { low: 0, high: 200 };
+const rapid_range = { low: 0, high: 100 };
+const spindle_range = { low: 50, high: 150 };
+
+function add_percent(machine, variable, range, read) {
+  add_units(machine, variable, standardUnits.percent);
+  const property = variable.getPropertyByName('EURange');
+  machine.published.add_constant(property, DataType.ExtensionObject, new Range(range));
+  machine.published.add(variable, DataType.Double, read);
+}
+
+function add_units(machine, variable, units) {
+  const property = variable.getPropertyByName('EngineeringUnits');
+  machine.published.add_constant(property, DataType.ExtensionObject, units);
+}
+
+function add_quantity(machine, parent, name, units, read) {
+  const variable = machine.addressSpace.findVariableType('AnalogUnitType').instantiate({
+    browseName: machine.name_of(name),
+    componentOf: parent,
+    dataType: DataType.Double,
+    namespace: machine.namespace,
+  });
+  add_units(machine, variable, units);
+  machine.published.add(variable, DataType.Double, read);
+}
+
+function add_flag(machine, parent, name, read) {
+  const options = { browseName: name, componentOf: parent, dataType: DataType.Boolean };
+  machine.published.add(machine.namespace.addVariable(options), DataType.Boolean, read);
+}
+
+export function publish_machine_monitoring(machine) {
+  const node = machine.child('Monitoring.MachineTool.OperationMode');
+  machine.published.add(node, DataType.Int32, operation_mode);
+}
+
+export function add_channel(machine, { id, name }) {
+  const { published } = machine;
+  const of_channel = (read) => (view) => {
+    const channel = view.channels.find((one) => one.id === id);
+    return channel ? read(channel) : null;
+  };
+  const node = machine.add_element('ChannelMonitoringType', `Channel${id}`, [
+    'RapidOverride',
+    'ChannelModifiers',
+    'ChannelModifiers.BlockSkip',
+  ]);
+  published.add_constant(node.name, DataType.String, name || `Channel ${id}`);
+  published.add(
+    node.channelState,
+    DataType.Int32,
+    of_channel((one) => ChannelState[one.state]),
+  );
+  published.add(node.channelMode, DataType.Int32, of_channel(channel_mode));
+  add_percent(
+    machine,
+    node.feedOverride,
+    feed_range,
+    of_channel((one) => one.override.feed),
+  );
+  add_percent(
+    machine,
+    node.rapidOverride,
+    rapid_range,
+    of_channel((one) => one.override.rapid),
+  );
+  const modifiers = node.channelModifiers;
+  // stanok has no dry run on the machine: a program is simulated before it.
+  published.add_constant(modifiers.dryRun, DataType.Boolean, false);
+  const flags = [
+    [modifiers.optionalStop, (one) => one.optional_stop],
+    [modifiers.singleStep, (one) => one.single_block],
+    [modifiers.blockSkip, (one) => one.block_skip.length > 0],
+  ];
+  for (const [flag, read] of flags) published.add(flag, DataType.Boolean, of_channel(read));
+}
+
+export function add_axis(machine, name) {
+  const of_axis = (read) => (view) => {
+    const axis = axis_in(view, name);
+    return axis && read(axis);
+  };
+  const node = machine.add_element(machine.axis_type, `Axis${name}`);
+  machine.published.add_constant(node.name, DataType.String, name);
+  // An axis of the protocol has no unit; those of rotation are called A, B and C (DIN 66217).
+  const units = /^[ABC]/.test(name) ? standardUnits.degree : standardUnits.millimetre;
+  add_quantity(
+    machine,
+    node,
+    'Position',
+    units,
+    of_axis((axis) => axis.position),
+  );
+  add_flag(
+    machine,
+    node,
+    'IsEnabled',
+    of_axis((axis) => axis.enabled),
+  );
+  add_flag(
+    machine,
+    node,
+    'IsReferenced',
+    of_axis((axis) => axis.verified),
+  );
+}
+
+export function add_spindle(machine, id) {
+  const of_spindle = (read) => (view) => {
+    const spindle = spindle_in(view, id);
+    return spindle && read(spindle);
+  };
+  const node = machine.add_element('SpindleMonitoringType', `Spindle${id}`, ['Override']);
+  machine.published.add_constant(node.name, DataType.String, `S${id}`);
+  machine.published.add(node.isRotating, DataType.Boolean, of_spindle(is_rotating));
+  add_percent(machine, node.override, spindle_range, (view) => {
+    const channel = view.channels.find((one) => one.spindles?.some((other) => other.id === id));
+    return channel?.override.spindle;
+  });
+  const units = standardUnits.revolutions_per_minute;
+  add_quantity(
+    machine,
+    node,
+    'Speed',
+    units,
+    of_spindle((one) => one.actual_rev_min),
+  );
+  add_quantity(
+    machine,
+    node,
+    'CommandedSpeed',
+    units,
+    of_spindle((one) => one.commanded_rev_min),
+  );
+}

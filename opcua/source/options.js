@@ -1,0 +1,105 @@
+// What the command line says, and what must not be.
+import { isIP } from 'node:net';
+import { homedir } from 'node:os';
+import { basename, extname, join } from 'node:path';
+import { parseArgs } from 'node:util';
+
+/** The command line asks for what is not done; the message says what to do instead. */
+export class Usage extends Error {}
+
+export const usage = `stanok-opcua: machines of this computer as a server of OPC UA for Machine Tools (OPC 40501-1)
+
+usage: stanok-opcua --daemon NAME=SOCKET ... [OPTION ...]
+
+  --daemon NAME=SOCKET  socket of a daemon and what its machine is called; may be given again
+  --host ADDRESS        IP address to listen at; default 127.0.0.1. Elsewhere than on this computer everything is
+                        signed, and only users of --users get in
+  --port PORT           TCP port; default 4840. 0: a free one
+  --users FILE          who gets in: lines of --add-user
+  --add-user NAME       print the line of a user; the password is the first line of the standard input
+  --identity FILE       JSON: manufacturer, serial number and the like of each machine
+  --rate HZ             how often states are read, 0.1 to 10; default 2
+  --sessions NUMBER     how many sessions there are at most, 1 to 100; default 20
+  --state FOLDER        folder of the certificates; default: $STATE_DIRECTORY
+  --version             print the version
+  -h, --help            print this
+`;
+
+const words_of = {
+  daemon: { type: 'string', multiple: true },
+  host: { type: 'string', default: '127.0.0.1' },
+  port: { type: 'string', default: '4840' },
+  users: { type: 'string' },
+  'add-user': { type: 'string' },
+  identity: { type: 'string' },
+  rate: { type: 'string', default: '2' },
+  sessions: { type: 'string', default: '20' },
+  state: { type: 'string' },
+  version: { type: 'boolean' },
+  help: { type: 'boolean', short: 'h' },
+};
+
+function parsed(words) {
+  try {
+    return parseArgs({ args: words, options: words_of }).values;
+  } catch (error) {
+    throw new Usage(error.message);
+  }
+}
+
+function number_in(name, text, smallest, largest, is_whole) {
+  const number = Number(text);
+  const is_good = text.trim() !== '' && number >= smallest && number <= largest;
+  if (is_good && (!is_whole || Number.isInteger(number))) return number;
+  throw new Usage(
+    `--${name} wants a ${is_whole ? 'whole ' : ''}number from ${smallest} to ${largest}`,
+  );
+}
+
+function machine_from(text) {
+  const sign = text.indexOf('=');
+  const socket = text.slice(sign + 1);
+  const name = sign < 0 ? basename(socket, extname(socket)) : text.slice(0, sign);
+  if (/^[\w.]+$/.test(name) && socket) return { name, socket };
+  throw new Usage(
+    `--daemon ${text}: a machine needs a name of letters, digits, _ and .: --daemon NAME=SOCKET`,
+  );
+}
+
+function default_state_folder() {
+  if (process.env.STATE_DIRECTORY) return process.env.STATE_DIRECTORY.split(':')[0];
+  const base = process.env.XDG_STATE_HOME || join(homedir(), '.local', 'state');
+  return join(base, 'stanok', 'opcua');
+}
+
+export function is_loopback(host) {
+  return host === '::1' || host.startsWith('127.');
+}
+
+/** Throws Usage. */
+export function options_from(words) {
+  const given = parsed(words);
+  if (given.help || given.version) return { help: given.help, version: given.version };
+  if (given['add-user'] !== undefined) return { add_user: given['add-user'] };
+  const machines = (given.daemon ?? []).map(machine_from);
+  if (machines.length === 0)
+    throw new Usage('no machine: name the socket of a daemon with --daemon NAME=SOCKET');
+  const twice = machines.find(({ name }, k) => machines.findIndex((one) => one.name === name) < k);
+  if (twice) throw new Usage(`two machines are called ${twice.name}: --daemon NAME=SOCKET`);
+  if (!isIP(given.host))
+    throw new Usage('--host wants an IP address of this computer, like 127.0.0.1');
+  if (!is_loopback(given.host) && !given.users)
+    throw new Usage(
+      'users must be known before others than this computer get in: add --users FILE',
+    );
+  return {
+    machines,
+    host: given.host,
+    port: number_in('port', given.port, 0, 65535, true),
+    users: given.users,
+    identity: given.identity,
+    rate_hz: number_in('rate', given.rate, 0.1, 10, false),
+    sessions: number_in('sessions', given.sessions, 1, 100, true),
+    state: given.state ?? default_state_folder(),
+  };
+}

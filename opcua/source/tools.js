@@ -1,0 +1,65 @@
+// Equipment/Tools: one ToolType for each edge of the table of tools.
+import { DataType } from 'node-opcua';
+
+// OPC 40501-1, ToolManagement and ToolLocked.
+const number_based = 0;
+const capability_unavailable = 0;
+const tools_max = 2000;
+
+const key_of = ({ number, edge }) => `Tool${number}Edge${edge}`;
+
+/** Tools of a machine that come and go with its table. */
+export class Tools {
+  #machine;
+  #nodes = new Map();
+  #version = 0;
+
+  constructor(machine) {
+    this.#machine = machine;
+    this.list = machine.child('Equipment.Tools');
+    this.#set_version();
+  }
+
+  follow(view) {
+    const tools = new Map(view.tools.slice(0, tools_max).map((tool) => [key_of(tool), tool]));
+    const gone = [...this.#nodes.keys()].filter((key) => !tools.has(key));
+    const come = [...tools.keys()].filter((key) => !this.#nodes.has(key));
+    if (gone.length === 0 && come.length === 0) return;
+    for (const key of gone) this.#remove(key);
+    for (const key of come) this.#nodes.set(key, this.#add(key, tools.get(key)));
+    this.#set_version();
+  }
+
+  #set_version() {
+    this.list.nodeVersion.setValueFromSource({
+      dataType: DataType.String,
+      value: String(++this.#version),
+    });
+  }
+
+  #remove(key) {
+    this.#machine.remove(this.#nodes.get(key));
+    this.#nodes.delete(key);
+  }
+
+  #add(key, { number, edge }) {
+    const machine = this.#machine;
+    const node = machine.make('ToolType', {
+      browseName: machine.name_of(key),
+      componentOf: this.list,
+      optionals: ['ControlIdentifier2', 'Name', 'Identifier'],
+    });
+    const row = (view) => view.tools.find((tool) => key_of(tool) === key);
+    const { published } = machine;
+    published.add(node.controlIdentifier1, DataType.UInt32, (view) => row(view)?.number);
+    published.add(node.controlIdentifier2, DataType.UInt32, (view) => row(view)?.edge);
+    published.add_constant(node.controlIdentifierInterpretation, DataType.Int32, number_based);
+    published.add_constant(node.identifier, DataType.String, `${number}.${edge}`);
+    published.add(node.name, DataType.String, (view) => row(view)?.name);
+    // The table has no locks: every tool of it may be used.
+    published.add_constant(node.locked, DataType.Boolean, false);
+    const reason = node.locked.reasonForLocking;
+    published.add_constant(reason, DataType.Int32, capability_unavailable);
+    return node;
+  }
+}

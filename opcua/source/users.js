@@ -1,0 +1,45 @@
+// Users and their passwords: a line `NAME:scrypt:SALT:HASH` each, in base64. Scrypt (RFC 7914) with
+// N = 2^15, r = 8, p = 1: 32 MiB and some 50 ms for each guess.
+import { randomBytes, scrypt, scryptSync, timingSafeEqual } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { Usage } from './options.js';
+
+const hash_bytes = 32;
+const salt_bytes = 16;
+const cost = { N: 2 ** 15, r: 8, p: 1, maxmem: 64 * 2 ** 20 };
+
+/** The line of a user. Throws Usage. */
+export function user_line(name, password) {
+  if (!/^[\w.@-]{1,64}$/.test(name))
+    throw new Usage('--add-user wants a name of letters, digits, _, ., @ and -');
+  if (password.length < 8) throw new Usage('a password has 8 characters or more');
+  const salt = randomBytes(salt_bytes);
+  const hash = scryptSync(password, salt, hash_bytes, cost);
+  return [name, 'scrypt', salt.toString('base64'), hash.toString('base64')].join(':');
+}
+
+function user_from(line, place) {
+  const [name, kind, salt, hash, ...more] = line.split(':');
+  const user = { salt: Buffer.from(salt ?? '', 'base64'), hash: Buffer.from(hash ?? '', 'base64') };
+  if (kind !== 'scrypt' || more.length > 0 || user.hash.length !== hash_bytes)
+    throw new Error(`${place}: no line of stanok-opcua --add-user`);
+  return [name, user];
+}
+
+/** Users of a file by their names. Throws Error with the place of a wrong line. */
+export function users_from(file) {
+  const lines = readFileSync(file, 'utf8').split('\n');
+  const users = lines.map((line, k) => line && user_from(line, `${file}:${k + 1}`)).filter(Boolean);
+  return new Map(users);
+}
+
+/** Whether it is the password; takes as long for a name that nobody has. */
+export function is_password(users, name, password) {
+  const nobody = { salt: Buffer.alloc(salt_bytes), hash: Buffer.alloc(hash_bytes) };
+  const user = users.get(name) ?? nobody;
+  return new Promise((resolve) => {
+    scrypt(password, user.salt, hash_bytes, cost, (error, hash) => {
+      resolve(!error && user !== nobody && timingSafeEqual(hash, user.hash));
+    });
+  });
+}
