@@ -2,6 +2,7 @@
 # Sourced by ./start for --cell: three simulated machines, a broker, the gateway with a history, and a page of each.
 #
 # Everything is on loopback and in build/cell, and ends with this script. What `start` gives: say, fail, quietly, $bin.
+# shellcheck disable=SC2154  # jobs comes from tools/environment.sh, bin from start
 readonly cell=build/cell
 readonly cell_machines=(mill lathe trunnion)
 declare -rA cell_configuration=([mill]=mill3 [lathe]=lathe [trunnion]=trunnion)
@@ -39,9 +40,9 @@ begin() {
 
 # wait_for NAME CONDITION...: until it holds, while the last process that was begun lives.
 wait_for() {
-  local name="$1" attempt
+  local name="$1"
   shift
-  for attempt in {1..200}; do
+  for _ in {1..200}; do
     "$@" >/dev/null 2>&1 && return 0
     kill -0 "${cell_processes[-1]}" 2>/dev/null || break
     sleep 0.1

@@ -6,6 +6,7 @@ usage: server_test.py STANOKD MACHINE_FILE FOLDER_OF_OPCUA [unittest arguments]
 exit code 77: node or the packages of npm are not to be had
 """
 import contextlib
+import json
 import os
 import subprocess
 import sys
@@ -26,6 +27,7 @@ PROGRAM = "M3 S500\nG1 X5 F600\n" + "X0\nX5\n" * 40 + "M30\n"
 SHORT = "G1 X1 F6000\nX0\nM30\n"
 WRONG = "G1 X1 F3000\nG1 X100000\nM30\n"  # beyond the travel of X
 TOOLS = "[[tool]]\nnumber = 4\nlength = 80.0\nradius = 4.0\n"
+IDENTITY = {"Manufacturer": "Example Works", "SerialNumber": "0815", "YearOfConstruction": 2024}
 # Numbers of OPC 40501-1, tables of ChannelState, ChannelMode and MachineOperationMode.
 CHANNEL_STATES = {"Active": 0, "Interrupted": 1, "Reset": 2}
 MANDATORY_MIN = 50  # of a machine with one channel, three axes and a spindle
@@ -182,7 +184,10 @@ class TheServer(unittest.TestCase):
                 time.sleep(0.1)
 
     def test_every_mandatory_node_is_typed_and_equal_to_the_protocol(self):
-        machine, client = self.machine, self.client(self.server())
+        identity = os.path.join(self.folder, "identity.json")
+        with open(identity, "w", encoding="utf-8") as file:
+            json.dump({"mill": IDENTITY}, file)
+        machine, client = self.machine, self.client(self.server(("--identity", identity)))
         machine.insist("machine.on")
         machine.ask("override.feed", percent=80)
         machine.ask("program.run", program="long.nc")
@@ -192,6 +197,7 @@ class TheServer(unittest.TestCase):
             return lambda nodes: nodes["Production/ActiveProgram/State/CurrentState"]["value"] == word
 
         running = self.until(client, state_is("Running"), "running")
+        self.assertEqual({name: running[f"Identification/{name}"]["value"] for name in IDENTITY}, IDENTITY)
         self.assertGreater(self.assert_mandatory_nodes(running), MANDATORY_MIN)
         blocks = "MachineryBuildingBlocks"
         self.assertEqual(running[f"{blocks}/MachineryItemState/CurrentState"]["value"], "Executing")
