@@ -4,10 +4,19 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 
 #include "client/offline/batch/slurm.h"
 
 namespace stanok::client {
+namespace {
+
+// "1 chunk", "2 chunks".
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
 
 BatchState state_of(const BatchFolder& folder, const BatchPlan& plan) {
   BatchState state{.programs = plan.candidates.programs.size(),
@@ -37,10 +46,10 @@ BatchState state_of(const BatchFolder& folder, const BatchPlan& plan) {
 }
 
 std::string state_text(const BatchState& state) {
-  std::string text = fmt::format(
-      "{} programs in {} chunks: {} done, {} running, {} waiting, {} failed, {} missing\n",
-      state.programs, state.chunks, state.done, state.running, state.pending, state.failed.size(),
-      state.missing.size());
+  std::string text =
+      fmt::format("{} in {}: {} done, {} running, {} waiting, {} failed, {} missing\n",
+                  counted(state.programs, "program"), counted(state.chunks, "chunk"), state.done,
+                  state.running, state.pending, state.failed.size(), state.missing.size());
   if (state.is_cancelled) text += "cancelled; `stanok batch submit` goes on with it\n";
   for (const auto& [chunk, fault] : state.failed)
     text += fmt::format("chunk {} failed: {}\n", chunk, fault);

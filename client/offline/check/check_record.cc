@@ -103,7 +103,7 @@ CheckedProgram checked_program(const std::string& bytes) {
 
 std::vector<std::string> asked_of(const JobOptions& job) {
   std::vector<std::string> asked{"check", std::to_string(job.channel), std::to_string(job.steps),
-                                 std::to_string(job.limit)};
+                                 std::to_string(job.limit), job.program_root};
   asked.insert(asked.end(), job.schemes.begin(), job.schemes.end());
   return asked;
 }

@@ -135,7 +135,8 @@ SimulatedProgram lost(const Candidate& candidate, const std::string& death) {
 
 std::vector<std::string> asked_of(const LibrarySimulation& wanted) {
   std::vector<std::string> asked{"simulate", std::to_string(wanted.job.channel),
-                                 std::to_string(wanted.limit_s), std::to_string(wanted.drives)};
+                                 std::to_string(wanted.limit_s), std::to_string(wanted.drives),
+                                 wanted.job.program_root};
   asked.insert(asked.end(), wanted.job.schemes.begin(), wanted.job.schemes.end());
   return asked;
 }

@@ -132,6 +132,7 @@ TEST_F(Batch, ATaskWithAnotherMachineFileRefuses) {
   EXPECT_EQ(run("batch run work 0").exit_code, 1);
   const Said state = run("batch status work");
   EXPECT_EQ(state.exit_code, 1);
+  EXPECT_NE(state.data.find(" in 1 chunk: 0 done"), std::string::npos) << state.data;
   EXPECT_NE(state.data.find("chunk 0 failed: stanok or the machine file"), std::string::npos);
 }
 

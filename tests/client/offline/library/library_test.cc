@@ -110,6 +110,18 @@ TEST_F(Library, IsCheckedAlikeFromTheCache) {
   EXPECT_EQ(run("check", "--json --cache " + cache()).messages, "cache: 31 of 33 results\n");
 }
 
+TEST_F(Library, ResultsOfTwoProgramRootsLieBesideEachOther) {
+  const fs::path other = folder_.path() / "other";
+  fs::create_directories(other);
+  const std::string elsewhere = "--json --program-root " + other.string() + " --cache " + cache();
+  for (const std::string command : {"check", "simulate"}) {
+    EXPECT_EQ(run(command, "--json --cache " + cache()).messages, "cache: 0 of 33 results\n");
+    EXPECT_EQ(run(command, elsewhere).messages, "cache: 0 of 33 results\n");
+    EXPECT_EQ(run(command, "--json --cache " + cache()).messages, "cache: 33 of 33 results\n");
+    EXPECT_EQ(run(command, elsewhere).messages, "cache: 33 of 33 results\n");
+  }
+}
+
 TEST_F(Library, IsSimulatedAlikeBySeveralAndFromTheCache) {
   const Printed one = run("simulate", "--json");
   const Printed several = run("simulate", "--json --jobs 3 --cache " + cache());
