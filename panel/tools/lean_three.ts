@@ -38,6 +38,16 @@ const stands: [RegExp, string][] = [
   render() {}
 }`,
   ],
+  [
+    /\/webgl\/WebGLMorphtargets\.js$/,
+    'export function WebGLMorphtargets() { return { update() {} }; }',
+  ],
+  [
+    /\/webgl\/WebGLUniformsGroups\.js$/,
+    'export function WebGLUniformsGroups() { return { bind() {}, update() {}, dispose() {} }; }',
+  ],
+  // Effects behind the picture and deep colours, which need the option outputBufferType.
+  [/\/webgl\/WebGLOutput\.js$/, 'export class WebGLOutput {}'],
   [/\/extras\/PMREMGenerator\.js$/, 'export class PMREMGenerator {}'],
 ];
 

@@ -1,6 +1,5 @@
 // The picture of the path view: planned path, what is done of it, the trace of the live positions, the
-// tool, work zero and a grid. It draws when something changed, at most once a frame, and knows nothing
-// of the framework.
+// tool, work zero and a grid. It draws when something changed, and knows nothing of the framework.
 import {
   AxesHelper,
   Box3,
@@ -9,11 +8,13 @@ import {
   Color,
   CylinderGeometry,
   DirectionalLight,
+  Frustum,
   GridHelper,
   Group,
   HemisphereLight,
   Line,
   LineBasicMaterial,
+  Matrix4,
   Mesh,
   MeshBasicMaterial,
   PerspectiveCamera,
@@ -26,9 +27,12 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { magnification } from '../style/resolved';
-import { Pairs, Segments } from './segments';
+import { Levels, type Sight } from './levels';
+import { Pairs } from './pairs';
+import { PicturePace } from './picture_pace';
+import { PointColours, type Colour } from './point_colours';
 import { way, type Track } from './track';
-import { TrackLine, TrackPoints } from './track_line';
+import { colouredByEnd, PointValues, TrackLine } from './track_line';
 import { WorkpieceMesh } from './workpiece_mesh';
 
 export type Look = 'iso' | 'top' | 'front' | 'side';
@@ -57,7 +61,24 @@ const directions: Record<Lie, Record<Look, Place>> = {
   turned: { iso: [0.8, 1.2, 0.7], top: [1, 0.0001, 0], front: [0, 1, 0], side: [0, 0, 1] },
 };
 const upward: Record<Lie, Place> = { milled: [0, 0, 1], turned: [1, 0, 0] };
+// Of a line, in pixels, and how many segments of a path: while things move, and when nothing does.
+const fineness = {
+  moving: { off_px: 1, segmentsAtMost: 12_000 },
+  standing: { off_px: 0.5, segmentsAtMost: 60_000 },
+} as const;
+
 const firstLook: Record<Lie, Look> = { milled: 'iso', turned: 'front' };
+
+/** What is known of a track, and which of its segments are in the picture. */
+interface Shown {
+  levels: Levels;
+  pairs: Pairs;
+}
+
+function bytesOf(colour: string): Colour {
+  const { r, g, b } = new Color(colour);
+  return [255 * r, 255 * g, 255 * b];
+}
 
 export class PathScene {
   readonly #renderer: WebGLRenderer;
@@ -67,20 +88,19 @@ export class PathScene {
   readonly #tool = new Group();
   readonly #grid = new GridHelper(1000, 20);
   readonly #materials = {
-    feed: new LineBasicMaterial(),
-    rapid: new LineBasicMaterial(),
+    plan: colouredByEnd(new LineBasicMaterial()),
     done: new LineBasicMaterial(),
     trace: new LineBasicMaterial(),
     marked: new LineBasicMaterial({ depthTest: false }),
     measured: new LineBasicMaterial({ depthTest: false }),
     tool: new MeshBasicMaterial({ transparent: true, opacity: 0.55 }),
   };
-  readonly #planned: Segments;
-  readonly #traced: Segments;
-  readonly #lines: Record<
-    'feed' | 'rapid' | 'doneFeed' | 'doneRapid' | 'trace' | 'marked',
-    TrackLine
-  >;
+  readonly #planned: Shown;
+  readonly #traced: Shown;
+  readonly #colours: PointColours;
+  readonly #colourValues: PointValues;
+  readonly #colourOf = { feed: [0, 0, 0] as Colour, rapid: [0, 0, 0] as Colour };
+  readonly #lines: Record<'plan' | 'done' | 'trace' | 'marked', TrackLine>;
   readonly workpiece = new WorkpieceMesh(() => this.#showWorkpiece());
   readonly #marked = new Pairs();
   readonly #measured: Line;
@@ -88,14 +108,15 @@ export class PathScene {
   #markedLine: number | null = null;
   #markedCount = 0;
   readonly #framed = new Box3();
-  #size_mm = 100;
-  #distance_mm = 100;
+  readonly #pace: PicturePace;
+  readonly #frustum = new Frustum();
+  #screen: [width: number, height: number] = [1, 1];
+  #ratio = 1;
+  #generation = -1;
   #reached = 0;
   #look: Look;
   /** Until a person turns or zooms the picture, it keeps the whole path in view. */
   #follows = true;
-  #wanted = false;
-  #closed = false;
   #pictures = 0;
 
   constructor(
@@ -106,17 +127,24 @@ export class PathScene {
   ) {
     this.#look = firstLook[lie];
     this.#renderer = new WebGLRenderer({ canvas, antialias: true });
-    this.#planned = new Segments(planned);
-    this.#traced = new Segments(traced);
-    const [plan, trace] = [new TrackPoints(planned), new TrackPoints(traced)];
-    const { feed, rapid, done, trace: traceLook, marked } = this.#materials;
+    this.#pace = new PicturePace({
+      fullPixels: () => this.#screen[0] * this.#screen[1] * this.#ratio ** 2,
+      draw: (share, stands) => this.#render(share, stands ? 'standing' : 'moving'),
+      gl: () => this.#renderer.getContext() as WebGL2RenderingContext,
+    });
+    this.#planned = { levels: new Levels(planned), pairs: new Pairs() };
+    this.#traced = { levels: new Levels(traced), pairs: new Pairs() };
+    this.#colours = new PointColours(planned, (index) =>
+      planned.ways[index] === way.rapid ? this.#colourOf.rapid : this.#colourOf.feed,
+    );
+    this.#colourValues = new PointValues(() => this.#colours.values, 3, true);
+    const [places, trace] = [PointValues.places(planned), PointValues.places(traced)];
+    const materials = this.#materials;
     this.#lines = {
-      feed: new TrackLine(plan, feed),
-      rapid: new TrackLine(plan, rapid),
-      doneFeed: new TrackLine(plan, done),
-      doneRapid: new TrackLine(plan, done),
-      trace: new TrackLine(trace, traceLook),
-      marked: new TrackLine(plan, marked),
+      plan: new TrackLine(planned, places, materials.plan, this.#colourValues),
+      done: new TrackLine(planned, places, materials.done),
+      trace: new TrackLine(traced, trace, materials.trace),
+      marked: new TrackLine(planned, places, materials.marked),
     };
     this.#camera.up.set(...upward[lie]);
     if (lie === 'milled') this.#grid.rotation.x = Math.PI / 2;
@@ -133,18 +161,16 @@ export class PathScene {
     this.#scene.add(this.#camera, new HemisphereLight('white', '#8a8f98', 1.4));
     for (const { line } of Object.values(this.#lines)) this.#scene.add(line);
     this.#controls = new OrbitControls(this.#camera, canvas);
-    this.#controls.addEventListener('change', () => {
-      this.#showLines();
-      this.draw();
-    });
+    this.#controls.addEventListener('change', () => this.draw());
     this.#controls.addEventListener('start', () => (this.#follows = false));
     this.look(firstLook[lie]);
   }
 
   colours(colours: Colours): void {
     this.#scene.background = new Color(colours.ground);
-    this.#materials.feed.color.set(colours.feed);
-    this.#materials.rapid.color.set(colours.rapid);
+    this.#colourOf.feed = bytesOf(colours.feed);
+    this.#colourOf.rapid = bytesOf(colours.rapid);
+    this.#colours.repaint();
     this.#materials.trace.color.set(colours.feed);
     this.#materials.marked.color.set(colours.tool);
     this.#materials.measured.color.set(colours.tool);
@@ -201,9 +227,16 @@ export class PathScene {
     this.draw();
   }
 
-  /** The look with which a new path is shown. */
-  showWhole(): void {
-    this.look(firstLook[this.lie]);
+  /** More of the planned path has come, or another one, which is shown with the usual look. */
+  grew(): void {
+    if (this.#generation !== this.planned.generation) {
+      this.#generation = this.planned.generation;
+      this.look(firstLook[this.lie]);
+    } else if (this.#follows) {
+      this.#frame();
+    } else {
+      this.draw();
+    }
   }
 
   moveTool(x: number, y: number, z: number): void {
@@ -221,8 +254,8 @@ export class PathScene {
 
   /** `done` is the index of the planned point that the tool has reached. */
   progress(done: number): void {
+    if (this.#reached === done) return;
     this.#reached = done;
-    this.#showLines();
     this.draw();
   }
 
@@ -231,7 +264,6 @@ export class PathScene {
     this.#markedLine = line;
     this.#markedCount = 0;
     this.#marked.clear();
-    this.#showLines();
     this.draw();
   }
 
@@ -244,25 +276,34 @@ export class PathScene {
     this.#markedCount = count;
   }
 
-  // From near, all segments; from further away fewer, which look the same there.
-  #showLines(): void {
-    const near = this.#camera.position.distanceTo(this.#controls.target) < this.#distance_mm / 2;
-    this.#planned.grow(this.#size_mm);
-    this.#traced.grow(this.#size_mm);
+  #showLines(how: keyof typeof fineness): void {
+    const { planned, traced } = this;
+    const [plan, trace] = [this.#planned, this.#traced];
+    const sight = this.#sight(how);
+    for (const { levels, pairs } of planned.count > 0 ? [plan] : [trace]) {
+      levels.grow();
+      levels.choose(sight, pairs);
+    }
     this.#growMarked();
-    this.#lines.marked.show(this.#marked, -1, this.planned.count);
-    this.#show(near);
+    if (this.#colours.grow()) this.#colourValues.replaced();
+    this.#lines.marked.show(this.#marked, -1, planned.count);
+    this.#lines.done.show(plan.pairs, -1, this.#reached);
+    this.#lines.plan.show(plan.pairs, this.#reached, planned.count);
+    this.#lines.trace.show(trace.pairs, -1, planned.count > 0 ? -1 : traced.count);
   }
 
-  #show(whole: boolean): void {
-    const plan = whole ? this.#planned.whole : this.#planned.seenFromAfar;
-    const trace = whole ? this.#traced.whole : this.#traced.seenFromAfar;
-    const { feed, rapid, doneFeed, doneRapid, trace: traceLine } = this.#lines;
-    doneFeed.show(plan.feed, -1, this.#reached);
-    doneRapid.show(plan.rapid, -1, this.#reached);
-    feed.show(plan.feed, this.#reached, this.planned.count);
-    rapid.show(plan.rapid, this.#reached, this.planned.count);
-    traceLine.show(trace.feed, -1, this.planned.count > 0 ? -1 : this.traced.count);
+  #sight(how: keyof typeof fineness): Sight {
+    const camera = this.#camera;
+    camera.updateMatrixWorld();
+    const seen = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const { off_px, segmentsAtMost } = fineness[how];
+    const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / (this.#screen[1] * this.#ratio);
+    return {
+      frustum: this.#frustum.setFromProjectionMatrix(seen),
+      eye: camera.position,
+      tolerance: off_px * pixel,
+      segmentsAtMost,
+    };
   }
 
   look(look: Look): void {
@@ -283,8 +324,6 @@ export class PathScene {
     box.expandByScalar(size / 20);
     const narrow = Math.min(1, this.#camera.aspect);
     const distance = size / 2 / Math.tan((this.#camera.fov * Math.PI) / 360) / narrow;
-    this.#size_mm = size;
-    this.#distance_mm = distance;
     const direction = new Vector3(...directions[this.lie][this.#look]).normalize();
     this.#controls.target.copy(centre);
     this.#camera.position.copy(centre).addScaledVector(direction, distance);
@@ -295,8 +334,8 @@ export class PathScene {
   resize(width: number, height: number): void {
     // A line is as wide as a pixel of the picture: on a large screen these are larger ones.
     const coarser = Math.max(1, magnification() / 1.3);
-    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2) / coarser);
-    this.#renderer.setSize(width, height, false);
+    this.#ratio = Math.min(window.devicePixelRatio, 2) / coarser;
+    this.#screen = [width, height];
     this.#camera.aspect = width / Math.max(height, 1);
     this.#camera.updateProjectionMatrix();
     this.draw();
@@ -305,36 +344,42 @@ export class PathScene {
   /** The index of the planned or traced point under a place of the canvas; -1 when there is none. */
   pick(x: number, y: number): number {
     const box = this.canvas.getBoundingClientRect();
-    const ray = new Raycaster();
-    ray.params.Line.threshold = this.#camera.position.distanceTo(this.#controls.target) / 100;
     const at = new Vector2(
       ((x - box.left) / box.width) * 2 - 1,
       1 - ((y - box.top) / box.height) * 2,
     );
     this.#camera.updateMatrixWorld();
-    ray.setFromCamera(at, this.#camera);
-    this.#show(true);
-    const hits = Object.values(this.#lines).flatMap((line) => line.met(ray));
-    this.#showLines();
-    const [nearest] = hits.sort((a, b) => a.distance - b.distance);
-    return nearest?.point ?? -1;
+    const caster = new Raycaster();
+    caster.setFromCamera(at, this.#camera);
+    const within = this.#camera.position.distanceTo(this.#controls.target) / 100;
+    const { levels } = this.planned.count > 0 ? this.#planned : this.#traced;
+    levels.grow();
+    return levels.metBy(caster.ray, within);
   }
 
   draw(): void {
-    if (this.#wanted || this.#closed) return;
-    this.#wanted = true;
-    requestAnimationFrame(() => {
-      this.#wanted = false;
-      if (this.#closed) return;
-      this.#renderer.render(this.#scene, this.#camera);
-      this.#pictures += 1;
-      this.canvas.dataset['pictures'] = String(this.#pictures);
-      this.canvas.dataset['drawn'] = String(this.planned.count);
-    });
+    this.#pace.wake();
+  }
+
+  #render(share: number, how: keyof typeof fineness): void {
+    const [width, height] = this.#screen;
+    const size = new Vector2(width, height).multiplyScalar(this.#ratio * share).floor();
+    if (!this.#renderer.getSize(new Vector2()).equals(size))
+      this.#renderer.setSize(size.x, size.y, false);
+    this.#showLines(how);
+    this.#renderer.render(this.#scene, this.#camera);
+    this.#pictures += 1;
+    const { dataset } = this.canvas;
+    dataset['pictures'] = String(this.#pictures);
+    dataset['drawn'] = String(this.planned.count);
+    dataset['segments'] = String(
+      (this.planned.count > 0 ? this.#planned : this.#traced).pairs.count,
+    );
+    dataset['how'] = how;
   }
 
   close(): void {
-    this.#closed = true;
+    this.#pace.close();
     this.#controls.dispose();
     this.workpiece.close();
     for (const line of Object.values(this.#lines)) line.dispose();

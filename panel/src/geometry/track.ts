@@ -7,6 +7,25 @@ const firstCapacity = 4096;
 export const way = { feed: 0, rapid: 1, none: 2 } as const;
 export type Way = (typeof way)[keyof typeof way];
 
+type Place = [x: number, y: number, z: number];
+export interface Bounds {
+  low: Place;
+  high: Place;
+}
+
+const nowhere = (): Bounds => ({
+  low: [Infinity, Infinity, Infinity],
+  high: [-Infinity, -Infinity, -Infinity],
+});
+
+function include({ low, high }: Bounds, points: Float32Array, index: number): void {
+  for (const axis of [0, 1, 2] as const) {
+    const value = points[3 * index + axis] ?? 0;
+    low[axis] = Math.min(low[axis], value);
+    high[axis] = Math.max(high[axis], value);
+  }
+}
+
 export class Track {
   points: Float32Array = new Float32Array(firstCapacity * 3);
   lines: Uint32Array = new Uint32Array(firstCapacity);
@@ -14,6 +33,7 @@ export class Track {
   count = 0;
   /** Grows with every clear(), so that who draws the track knows that it is another one. */
   generation = 0;
+  #bounded: { generation: number; count: number; feed: Bounds; all: Bounds } | null = null;
 
   clear(): void {
     this.count = 0;
@@ -23,6 +43,12 @@ export class Track {
   /** What leads to the points from one index to before another. */
   mark(from: number, to: number, how: Way): void {
     this.ways.fill(how, from, Math.min(to, this.count));
+  }
+
+  /** Whether what leads to a point is drawn in another way than what leads on from it. */
+  turnsAt(index: number): boolean {
+    const next = this.ways[index + 1];
+    return this.ways[index] !== next || next === way.none;
   }
 
   /** True when the arrays were replaced by larger ones. */
@@ -61,20 +87,18 @@ export class Track {
   }
 
   /** Of the points that feed leads to, where there are some: rapid moves come from far away. */
-  bounds(): { low: [number, number, number]; high: [number, number, number] } | null {
+  bounds(): Bounds | null {
     if (this.count === 0) return null;
-    const low: [number, number, number] = [Infinity, Infinity, Infinity];
-    const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-    const onlyRapid = this.ways.subarray(1, this.count).every((how) => how !== way.feed);
-    for (let i = 0; i < this.count; ++i) {
-      if (!onlyRapid && (i === 0 || this.ways[i] !== way.feed)) continue;
-      for (const axis of [0, 1, 2] as const) {
-        const value = this.points[3 * i + axis] ?? 0;
-        low[axis] = Math.min(low[axis], value);
-        high[axis] = Math.max(high[axis], value);
-      }
+    const { generation, count } = this;
+    if (this.#bounded?.generation !== generation || this.#bounded.count > count)
+      this.#bounded = { generation, count: 0, feed: nowhere(), all: nowhere() };
+    const known = this.#bounded;
+    for (let i = known.count; i < count; ++i) {
+      include(known.all, this.points, i);
+      if (i > 0 && this.ways[i] === way.feed) include(known.feed, this.points, i);
     }
-    return { low, high };
+    known.count = count;
+    return known.feed.low[0] <= known.feed.high[0] ? known.feed : known.all;
   }
 
   #reserve(count: number): boolean {

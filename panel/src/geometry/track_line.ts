@@ -2,45 +2,71 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  DynamicDrawUsage,
   LineSegments,
   type LineBasicMaterial,
-  type Raycaster,
 } from 'three';
-import type { Pairs } from './segments';
+import type { Pairs } from './pairs';
 import type { Track } from './track';
 
-/** The points of a track in the graphics memory, shared by all that draws it. */
-export class TrackPoints {
+/** What each point of a track has, in the graphics memory, shared by all that draws it. */
+export class PointValues {
   #attribute: BufferAttribute | null = null;
   #uploaded = 0;
 
-  constructor(private readonly track: Track) {}
+  constructor(
+    private readonly values: () => Float32Array | Uint8Array,
+    private readonly each: number,
+    private readonly isNormalized = false,
+  ) {}
 
-  /** Only the points that came since the last picture are sent there. */
-  current(): BufferAttribute {
-    const { track } = this;
-    if (this.#attribute?.array !== track.points) {
-      this.#attribute = new BufferAttribute(track.points, 3);
-    } else if (track.count !== this.#uploaded) {
-      const first = track.count > this.#uploaded ? this.#uploaded : 0;
-      this.#attribute.addUpdateRange(first * 3, (track.count - first) * 3);
+  static places(track: Track): PointValues {
+    return new PointValues(() => track.points, 3);
+  }
+
+  /** Of the first `count` points. Only those that came since the last picture are sent there. */
+  current(count: number): BufferAttribute {
+    const values = this.values();
+    if (this.#attribute?.array !== values) {
+      this.#attribute = new BufferAttribute(values, this.each, this.isNormalized);
+    } else if (count !== this.#uploaded) {
+      const first = count > this.#uploaded ? this.#uploaded : 0;
+      this.#attribute.addUpdateRange(first * this.each, (count - first) * this.each);
       this.#attribute.needsUpdate = true;
     }
-    this.#uploaded = track.count;
+    this.#uploaded = count;
     return this.#attribute;
   }
+
+  /** All are other values now. */
+  replaced(): void {
+    this.#uploaded = 0;
+  }
+}
+
+/** A material of lines each of which has the colour of the point that it leads to, not one that runs from end to end. */
+export function colouredByEnd(material: LineBasicMaterial): LineBasicMaterial {
+  material.vertexColors = true;
+  material.onBeforeCompile = (shader) => {
+    const flat = 'flat varying vec4 vColor;';
+    shader.vertexShader = shader.vertexShader.replace('#include <color_pars_vertex>', flat);
+    shader.fragmentShader = shader.fragmentShader.replace('#include <color_pars_fragment>', flat);
+  };
+  return material;
 }
 
 export class TrackLine {
   readonly line: LineSegments;
   readonly #geometry = new BufferGeometry();
   #pairs: Pairs | null = null;
-  #indices: Uint32Array | null = null;
-  #count = 0;
+  #version = -1;
 
+  /** `colours` where the material wants them. */
   constructor(
-    private readonly points: TrackPoints,
+    private readonly track: Track,
+    private readonly places: PointValues,
     material: LineBasicMaterial,
+    private readonly colours: PointValues | null = null,
   ) {
     this.line = new LineSegments(this.#geometry, material);
     this.line.frustumCulled = false;
@@ -48,27 +74,37 @@ export class TrackLine {
 
   /** Shows the pairs that end behind one point and at or before another. */
   show(pairs: Pairs, after: number, upTo: number): void {
-    this.#geometry.setAttribute('position', this.points.current());
-    if (this.#indices !== pairs.indices || this.#count !== pairs.count || this.#pairs !== pairs) {
-      this.#pairs = pairs;
-      this.#indices = pairs.indices;
-      this.#count = pairs.count;
-      this.#geometry.setIndex(new BufferAttribute(pairs.indices, 1));
-    }
+    this.#set('position', this.places);
+    if (this.colours !== null) this.#set('color', this.colours);
+    this.#index(pairs);
     const first = pairs.upTo(after);
     this.#geometry.setDrawRange(2 * first, 2 * (pairs.upTo(upTo) - first));
   }
 
-  /** The points whose segments a ray meets, with the distance from its origin. */
-  met(ray: Raycaster): { distance: number; point: number }[] {
-    this.#geometry.boundingSphere = null;
-    return ray.intersectObject(this.line, false).map(({ distance, index = 0 }) => ({
-      distance,
-      point: this.#indices?.[index + 1] ?? -1,
-    }));
-  }
-
   dispose(): void {
     this.#geometry.dispose();
+  }
+
+  // What is replaced leaves the graphics memory with the geometry only.
+  #set(name: string, values: PointValues): void {
+    const attribute = values.current(this.track.count);
+    if (this.#geometry.getAttribute(name) === attribute) return;
+    this.#geometry.dispose();
+    this.#geometry.setAttribute(name, attribute);
+  }
+
+  #index(pairs: Pairs): void {
+    if (this.#pairs === pairs && this.#version === pairs.version) return;
+    this.#pairs = pairs;
+    this.#version = pairs.version;
+    const index = this.#geometry.index;
+    if (index?.array === pairs.indices) {
+      index.clearUpdateRanges();
+      index.addUpdateRange(0, 2 * pairs.count);
+      index.needsUpdate = true;
+      return;
+    }
+    this.#geometry.dispose();
+    this.#geometry.setIndex(new BufferAttribute(pairs.indices, 1).setUsage(DynamicDrawUsage));
   }
 }

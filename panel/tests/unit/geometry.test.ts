@@ -1,10 +1,8 @@
 // Pages of geometry, the tracks that they fill, and how far the tool is along them.
 import { expect, test } from 'vitest';
-import { Outline } from '../../src/geometry/outline';
 import { readPage } from '../../src/geometry/page_frame';
 import { reached } from '../../src/geometry/progress';
-import { Segments, type Pairs } from '../../src/geometry/segments';
-import { PagedTrack, Track, way } from '../../src/geometry/track';
+import { PagedTrack, Track } from '../../src/geometry/track';
 
 function frame(id: number, page: number, points: number[], lines: number[]): ArrayBuffer {
   const count = lines.length;
@@ -77,24 +75,6 @@ test('a page comes into place when its points and what leads to them are known',
   expect([...paged.track.ways.subarray(0, 6)]).toEqual([2, 0, 0, 0, 1, 0]);
 });
 
-test('segments of feed and rapid are apart, and nothing leads to a new beginning', () => {
-  const track = new Track();
-  for (let i = 0; i < 6; ++i) track.add(i, i % 2, 0, i);
-  track.mark(2, 4, way.rapid);
-  track.mark(5, 6, way.none);
-  const segments = new Segments(track);
-  segments.grow(100);
-  const pairs = ({ indices, count }: Pairs): number[] => [...indices.subarray(0, 2 * count)];
-  expect(pairs(segments.whole.feed)).toEqual([0, 1, 3, 4]);
-  expect(pairs(segments.whole.rapid)).toEqual([1, 2, 2, 3]);
-  expect(segments.whole.rapid.upTo(1)).toBe(0);
-  expect(segments.whole.rapid.upTo(2)).toBe(1);
-  track.clear();
-  track.add(0, 0, 0, 1);
-  segments.grow(100);
-  expect(segments.whole.feed.count).toBe(0);
-});
-
 test('progress is the nearest point of the line that runs, and never goes back', () => {
   const track = new Track();
   for (let line = 1; line <= 4; ++line) {
@@ -105,52 +85,4 @@ test('progress is the nearest point of the line that runs, and never goes back',
   expect(reached(track, 2, [20, 0, 0], first)).toBe(13);
   expect(reached(track, 4, [49, 0, 0], first)).toBe(39);
   expect(reached(track, 99, [0, 0, 0], first)).toBe(first);
-});
-
-function spread(track: Track, from: number, to: number): void {
-  for (let i = from; i < to; ++i) {
-    const turn = i / 500;
-    track.add(40 * Math.cos(turn), 40 * Math.sin(turn), turn / 10, i + 1);
-  }
-}
-
-test('an outline has far fewer points, and none of the others is off by more than its tolerance', () => {
-  const track = new Track();
-  spread(track, 0, 20_000);
-  track.add(0, 0, 90, 1);
-  track.add(40 * Math.cos(40), 40 * Math.sin(40), 4, 2);
-  const outline = new Outline(track, 0.05);
-  outline.grow();
-  expect(outline.count).toBeLessThan(1500);
-  const kept = [...outline.indices.subarray(0, outline.count)];
-  expect(kept[0]).toBe(0);
-  expect(kept).toContain(20_000);
-  expect(kept.at(-1)).toBe(20_001);
-  for (let k = 1; k < kept.length; ++k) {
-    const [from = 0, to = 0] = [kept[k - 1], kept[k]];
-    for (let i = from + 1; i < to; ++i) {
-      const share = (i - from) / (to - from);
-      const off = [0, 1, 2].map((axis) => {
-        const [a = 0, b = 0] = [track.points[3 * from + axis], track.points[3 * to + axis]];
-        return (track.points[3 * i + axis] ?? 0) - (a + share * (b - a));
-      });
-      expect(Math.hypot(...off)).toBeLessThan(0.0501);
-    }
-  }
-});
-
-test('an outline that grows by pages is that of the whole', () => {
-  const [all, grown] = [new Track(), new Track()];
-  spread(all, 0, 10_000);
-  const whole = new Outline(all, 0.05);
-  whole.grow();
-  const paged = new Outline(grown, 0.05);
-  for (let page = 0; page < 10; ++page) {
-    spread(grown, 1000 * page, 1000 * (page + 1));
-    paged.grow();
-    expect(paged.indices[paged.count - 1]).toBe(grown.count - 1);
-  }
-  expect(paged.indices.subarray(0, paged.count)).toEqual(whole.indices.subarray(0, whole.count));
-  expect(whole.upTo(0)).toBe(1);
-  expect(whole.upTo(9999)).toBe(whole.count);
 });

@@ -1,0 +1,76 @@
+// When pictures are drawn: when something has changed, one after the other, and no other begins before the one before is
+// done, so that none pile up where drawing takes long. While things change they are as sharp as is fast enough; when nothing has
+// changed for a moment comes one that is as sharp as the screen.
+import { Sharpness } from './sharpness';
+
+const moment_ms = 250;
+
+/** Draws; says how many pixels a picture has that is as sharp as the screen. */
+export interface Easel {
+  fullPixels(): number;
+  /** share: of the width and height of such a picture; 1: one that stands. */
+  draw(share: number, stands: boolean): void;
+  gl(): WebGL2RenderingContext;
+}
+
+export class PicturePace {
+  readonly #sharpness = new Sharpness();
+  #asked = false;
+  #busy = false;
+  #closed = false;
+  #standing: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly easel: Easel) {}
+
+  /** Something has changed. */
+  wake(): void {
+    clearTimeout(this.#standing);
+    this.#asked = true;
+    if (this.#busy || this.#closed) return;
+    this.#busy = true;
+    requestAnimationFrame(() => {
+      this.#asked = false;
+      if (!this.#closed) this.#move();
+    });
+  }
+
+  close(): void {
+    this.#closed = true;
+    clearTimeout(this.#standing);
+  }
+
+  #move(): void {
+    const pixels = this.easel.fullPixels();
+    const share = this.#sharpness.share(pixels);
+    this.easel.draw(share, false);
+    this.#whenDone((time_ms) => this.#sharpness.took(time_ms, pixels * share * share));
+  }
+
+  #stand(): void {
+    if (this.#busy || this.#closed) return;
+    this.#busy = true;
+    this.easel.draw(1, true);
+    this.#whenDone(() => undefined, 'stands');
+  }
+
+  #whenDone(then: (time_ms: number) => void, how: 'moves' | 'stands' = 'moves'): void {
+    const began = performance.now();
+    const gl = this.easel.gl();
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const look = (): void => {
+      if (this.#closed) return;
+      const isDone =
+        fence === null ||
+        gl.isContextLost() ||
+        gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
+      if (!isDone) return void requestAnimationFrame(look);
+      gl.deleteSync(fence);
+      this.#busy = false;
+      then(performance.now() - began);
+      if (this.#asked) this.wake();
+      else if (how === 'moves') this.#standing = setTimeout(() => this.#stand(), moment_ms);
+    };
+    requestAnimationFrame(look);
+  }
+}
