@@ -95,7 +95,6 @@ TEST(MeasuredCut, IsRightWhenItIsCutAgainWithWhatWasMeasured) {
 
   // The first part, wrong as the drawing of the errors says: 0.05 mm too wide.
   EXPECT_NEAR(bench.found("bore1"), 14.05, micrometre + 2.0 * left_on_arc);
-  EXPECT_LE(bench.found("bore1"), 14.05 + micrometre);
   EXPECT_NEAR(bench.found("long1"), 20.05, micrometre + 2.0 * left_on_line);
   EXPECT_NEAR(bench.found("wide1"), 12.05, micrometre + 2.0 * left_on_line);
   EXPECT_NEAR(bench.found("wear"), 0.025, micrometre + left_on_arc);
@@ -115,6 +114,9 @@ TEST(MeasuredCut, IsRightWhenItIsCutAgainWithWhatWasMeasured) {
   const simulation::Vector in_bore(15.0, 13.0, 5.0);
   const simulation::Vector in_pocket(44.0, 13.0, 5.0);
   EXPECT_NEAR(width_at(*parts[0], 0, in_bore), 14.05, micrometre + 2.0 * left_on_arc);
+  // The path itself is up to 1.8 um outside of the circle where the arc that leads in meets it,
+  // within its tolerance; the probe finds what is there.
+  EXPECT_LE(bench.found("bore1"), width_at(*parts[0], 0, in_bore) + micrometre);
   EXPECT_NEAR(width_at(*parts[1], 0, in_bore), 14.0, micrometre + 2.0 * left_on_arc);
   EXPECT_NEAR(width_at(*parts[1], 1, in_bore), 14.0, micrometre + 2.0 * left_on_arc);
   EXPECT_NEAR(width_at(*parts[1], 0, in_pocket), 20.0, micrometre + 2.0 * left_on_arc);
