@@ -71,15 +71,17 @@ class Check {
     }
   }
 
+  // A fault is told once; what the text warns of and the run then meets is the error.
   void keep(Diagnostic&& diagnostic) {
-    const bool known = std::any_of(
-        found.diagnostics.begin(), found.diagnostics.end(), [&](const Diagnostic& other) {
-          return other.code == diagnostic.code && other.place.file == diagnostic.place.file &&
-                 other.place.line == diagnostic.place.line &&
-                 other.place.column == diagnostic.place.column &&
-                 other.message == diagnostic.message;
-        });
-    if (!known) found.diagnostics.push_back(std::move(diagnostic));
+    const auto known = std::ranges::find_if(found.diagnostics, [&](const Diagnostic& other) {
+      return other.code == diagnostic.code && other.place.file == diagnostic.place.file &&
+             other.place.line == diagnostic.place.line &&
+             other.place.column == diagnostic.place.column && other.message == diagnostic.message;
+    });
+    if (known == found.diagnostics.end())
+      found.diagnostics.push_back(std::move(diagnostic));
+    else if (diagnostic.severity == Severity::error)
+      known->severity = Severity::error;
   }
 
   const channels::MachineConfig& machine_;
