@@ -15,26 +15,16 @@ constexpr std::array stiffness_factors{0.5, 1.5};
 // Rounding of feeds and time steps; not a crossing of the boundary.
 constexpr double ratio_noise = 1e-3;
 
-// Peaks stand at kinks of the table, between two steps: a table is judged with finer ones than
-// those that find it.
+// Peaks stand at kinks of the table, between two steps: they are looked for with finer ones.
 constexpr int refinement = 5;
-
-// Leaves as many as the steps asked for give, the last one among them.
-void thin_out(std::vector<PlungeSample>& samples) {
-  std::size_t kept = 0;
-  for (std::size_t i = (samples.size() + refinement - 1) % refinement; i < samples.size();
-       i += refinement)
-    samples[kept++] = samples[i];
-  samples.resize(kept);
-}
 
 void raise(Peak& peak, double ratio, const PlungeSample& sample) {
   if (ratio > peak.ratio) peak = {ratio, sample.time_s, sample.x_mm};
 }
 
-void find_peaks(const GrindingProcess& process, Verification& verification) {
+void find_peaks(const GrindingProcess& process, const PlungeRun& run, Verification& verification) {
   const Boundary boundary(process);
-  for (const PlungeSample& sample : verification.run.samples) {
+  for (const PlungeSample& sample : run.samples) {
     const double Q = sample.removal_mm2_per_rad;
     const double H = sample.allowance_mm;
     raise(verification.boundary, Q / boundary.at(H), sample);
@@ -170,7 +160,6 @@ Verification verify_cycle(const GrindingProcess& process, const InfeedLaw& law,
                           const PlungeOptions& simulation, const VerificationLimits& limits) {
   PlungeOptions options = simulation;
   options.at_end = InfeedTravel::AtEnd::stands;
-  options.time_step_max_s /= refinement;
   Verification verification;
   if (const double time_s = law_time_s(law); time_s > options.time_max_s) {
     verification.findings.push_back({"E9106", "the table takes " + rounded_text(time_s, 1) +
@@ -179,8 +168,9 @@ Verification verify_cycle(const GrindingProcess& process, const InfeedLaw& law,
     return verification;
   }
   verification.run = simulate_plunge(process, law, options);
-  find_peaks(process, verification);
-  thin_out(verification.run.samples);
+  PlungeOptions fine = options;
+  fine.time_step_max_s /= refinement;
+  find_peaks(process, simulate_plunge(process, law, fine), verification);
   judge_stability(process, verification.run, verification.findings);
   judge_burn(verification.burn, limits, verification.findings);
   judge_deflection(verification, limits, verification.findings);

@@ -78,15 +78,15 @@ TEST_P(RandomDesign, IsWhatItSays) {
       request.process, design->law, design->spark_out_revolutions, steps_per_turn);
   EXPECT_NEAR(run.time_s, stated.run.time_s, 0.001);
   EXPECT_NEAR(run.burn_ratio, stated.burn.ratio, 1e-4 * stated.burn.ratio);
-  // A step of 0.1 ms is up to 4e-6 mm of feed, and the last layers fade on a ring of angles.
-  EXPECT_NEAR(run.highest_mm, stated.run.residual_mm, 2e-5);
-  EXPECT_NEAR(run.highest_mm - run.lowest_mm, stated.run.out_of_roundness_mm(), 2e-5);
+  // A step of 0.5 ms is up to 2e-5 mm of feed; both sides have one.
+  EXPECT_NEAR(run.highest_mm, stated.run.residual_mm, 4e-5);
+  EXPECT_NEAR(run.highest_mm - run.lowest_mm, stated.run.out_of_roundness_mm(), 5e-5);
   if (!has_errors(stated.findings)) {
-    EXPECT_LE(run.highest_mm, request.limits.residual_max_mm + 2e-5);
-    EXPECT_GE(run.highest_mm, -request.limits.undersize_max_mm - 2e-5);
+    EXPECT_LE(run.highest_mm, request.limits.residual_max_mm + 4e-5);
+    EXPECT_GE(run.highest_mm, -request.limits.undersize_max_mm - 4e-5);
     EXPECT_LE(run.burn_ratio, 1.0 + request.limits.burn_margin + 1e-4);
     if (request.limits.roundness_max_mm > 0.0) {
-      EXPECT_LE(run.highest_mm - run.lowest_mm, request.limits.roundness_max_mm + 2e-5);
+      EXPECT_LE(run.highest_mm - run.lowest_mm, request.limits.roundness_max_mm + 5e-5);
     }
   }
 }
