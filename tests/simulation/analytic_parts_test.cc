@@ -110,7 +110,7 @@ std::string table_of_documents() {
 }
 
 // With STANOK_WRITE_DOCS set it is written anew.
-TEST(WorkpieceDocument, HasTheTableOfAnalyticParts) {
+TEST(WorkpieceDocument, HasTheTableOfAnalyticPartsFullSize) {
   const std::string path = stanok::testing::source_folder() + "/docs/programmer/workpiece.md";
   std::stringstream buffer;
   buffer << std::ifstream(path).rdbuf();
