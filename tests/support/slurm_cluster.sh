@@ -81,6 +81,8 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 SchedulerParameters=batch_sched_delay=0,sched_interval=1,sched_min_interval=0,bf_interval=1
 SlurmdTimeout=3
+Prolog=$folder/prolog
+BatchStartTimeout=300
 ReturnToService=2
 MaxJobCount=20000
 NodeName=n1 NodeAddr=10.77.0.2 NodeHostname=$cluster_host Port=6818 CPUs=1 State=UNKNOWN
@@ -88,7 +90,17 @@ NodeName=n2 NodeAddr=10.77.0.3 NodeHostname=$cluster_host Port=6819 CPUs=1 State
 PartitionName=all Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
 END
   mkdir -p "$folder/controller" "$folder/n1" "$folder/n2"
+  # Runs on a computer before each task.
+  cat >"$folder/prolog" <<END
+#!/bin/sh
+while [ -e "$folder/hold-\$SLURMD_NODENAME" ]; do sleep 0.05; done
+END
+  chmod 755 "$folder/prolog"
 }
+
+# hold_computer NAME: the next task that comes there begins, and goes on with release_computer NAME only.
+hold_computer() { touch "$folder/hold-$1"; }
+release_computer() { rm -f "$folder/hold-$1"; }
 
 declare -A computers=()
 
