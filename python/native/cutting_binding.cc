@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "client/offline/process/grind_fit_report.h"
-#include "client/offline/process/identify_report.h"
+#include "client/offline/process/identify/grind_fit_report.h"
+#include "client/offline/process/identify/identify_report.h"
 #include "client/offline/process/lobes_report.h"
 #include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "client/offline/process/identify_command.h"
+#include "client/offline/process/identify/identify_command.h"
 #include "client/offline/process/lobes_report.h"
 #include "client/offline/process/optimise_command.h"
 #include "client/offline/process/program_speeds.h"

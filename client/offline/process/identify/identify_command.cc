@@ -1,4 +1,4 @@
-#include "client/offline/process/identify_command.h"
+#include "client/offline/process/identify/identify_command.h"
 
 #include <charconv>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include "client/offline/process/grind_fit_report.h"
-#include "client/offline/process/identify_report.h"
+#include "client/offline/process/identify/grind_fit_report.h"
+#include "client/offline/process/identify/identify_report.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"

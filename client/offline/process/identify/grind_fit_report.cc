@@ -1,4 +1,4 @@
-#include "client/offline/process/grind_fit_report.h"
+#include "client/offline/process/identify/grind_fit_report.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "client/offline/process/power_picture.h"
+#include "client/offline/process/identify/power_picture.h"
 #include "client/terminal/text_table.h"
 
 namespace stanok::client {

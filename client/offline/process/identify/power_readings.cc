@@ -1,4 +1,4 @@
-#include "client/offline/process/power_readings.h"
+#include "client/offline/process/identify/power_readings.h"
 
 #include <algorithm>
 #include <string_view>

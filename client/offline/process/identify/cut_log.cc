@@ -1,4 +1,4 @@
-#include "client/offline/process/cut_log.h"
+#include "client/offline/process/identify/cut_log.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/place.h"
-#include "client/offline/process/power_readings.h"
+#include "client/offline/process/identify/power_readings.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
 #include "recording/read/log_contents.h"

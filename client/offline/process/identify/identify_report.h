@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "client/offline/process/cut_log.h"
+#include "client/offline/process/identify/cut_log.h"
 
 namespace stanok::client {
 

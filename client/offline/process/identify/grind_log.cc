@@ -1,4 +1,4 @@
-#include "client/offline/process/grind_log.h"
+#include "client/offline/process/identify/grind_log.h"
 
 #include <algorithm>
 #include <stanok_messages/setpoint_t.hpp>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/place.h"
-#include "client/offline/process/power_readings.h"
+#include "client/offline/process/identify/power_readings.h"
 #include "recording/format/decode.h"
 #include "recording/read/log_contents.h"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "client/offline/process/grind_log.h"
+#include "client/offline/process/identify/grind_log.h"
 
 namespace stanok::client {
 

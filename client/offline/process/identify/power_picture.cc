@@ -1,4 +1,4 @@
-#include "client/offline/process/power_picture.h"
+#include "client/offline/process/identify/power_picture.h"
 
 #include <stdexcept>
 

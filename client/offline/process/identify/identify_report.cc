@@ -1,4 +1,4 @@
-#include "client/offline/process/identify_report.h"
+#include "client/offline/process/identify/identify_report.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "client/offline/process/power_picture.h"
+#include "client/offline/process/identify/power_picture.h"
 #include "client/terminal/text_table.h"
 
 namespace stanok::client {

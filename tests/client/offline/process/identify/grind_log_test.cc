@@ -1,6 +1,6 @@
 // A plunge cycle of the grinder of config/machines, its log, and what is found in it: stiffness and
 // force law of a hidden machine whose spring and surface are worked out here.
-#include "client/offline/process/grind_log.h"
+#include "client/offline/process/identify/grind_log.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <random>
 
 #include "base/place.h"
-#include "client/offline/process/grind_fit_report.h"
+#include "client/offline/process/identify/grind_fit_report.h"
 #include "config/files/grinding_file.h"
 #include "runtime/log_observer.h"
 #include "runtime/simulation.h"
