@@ -15,7 +15,7 @@
 
 #include "base/expected.h"
 #include "process/grinding/grinding_process.h"
-#include "process/identify/turning_fit.h"
+#include "process/identify/drive_fit.h"
 
 namespace stanok::process {
 

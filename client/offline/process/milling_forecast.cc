@@ -11,13 +11,12 @@
 #include <stdexcept>
 
 #include "base/place.h"
+#include "client/offline/process/load_ahead.h"
 #include "client/offline/process/program_text.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/interrupts.h"
-#include "process/milling/milling_load.h"
 #include "runtime/simulation.h"
 #include "runtime/workpiece/workpiece_feed.h"
-#include "simulation/engagement.h"
 
 namespace stanok::client {
 namespace {
@@ -25,7 +24,6 @@ namespace {
 using simulation::Vector;
 
 constexpr double seconds_of_minute = 60.0;
-constexpr double look_ahead_part = 0.5;   // of the resolution: how far in front of the tool
 constexpr double steps_of_default = 2.0;  // resolutions between two places
 constexpr double planned_min_part = 0.05;
 
@@ -35,20 +33,6 @@ struct CutAhead {
   double teeth_per_s = 0.0;
   bool plunges = false;  // its face, which is not looked at, may cut
 };
-
-std::vector<process::EngagedSlice> slices_of(
-    const std::vector<simulation::EngagementSlice>& engagement) {
-  std::vector<process::EngagedSlice> slices;
-  slices.reserve(engagement.size());
-  for (const simulation::EngagementSlice& slice : engagement) {
-    slices.push_back({.height_mm = slice.height,
-                      .width_mm = slice.width,
-                      .radius_mm = slice.radius,
-                      .slope = slice.slope,
-                      .meets = slice.meets});
-  }
-  return slices;
-}
 
 // Follows the channel of the job and looks ahead of its tool.
 class CutObserver final : public runtime::CycleObserver {
@@ -109,28 +93,17 @@ class CutObserver final : public runtime::CycleObserver {
             double speed_mm_per_s) {
     since_mm_ = 0.0;
     line_ = sample.origin.line;
-    feed_.follower().flush();
-    const simulation::Workpiece& workpiece = *feed_.follower().at_work();
-    const simulation::ToolPlace ahead{
-        tool.place_K.tip + look_ahead_part * resolution() * direction_K, tool.place_K.axis};
     const double rev_per_min = channel.process.spindle_rev_per_min;
-    const auto sense = rev_per_min < 0.0 ? simulation::SpindleSense::counter_clockwise
-                                         : simulation::SpindleSense::clockwise;
-    const auto engagement = simulation::engagement_of(workpiece.material(), tool.tool->solid, ahead,
-                                                      direction_K, sense);
-    constexpr double level = 1e-6;
-    const double along = direction_K.dot(tool.place_K.axis);
-    const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
     const double turns_per_s = std::abs(rev_per_min) / seconds_of_minute;
     if (turns_per_s <= 0.0) return;
-    CutAhead cut{.load = process::MillingLoad(request_.cut, slices_of(engagement),
-                                              {.across = across, .along = along}),
+    constexpr double level = 1e-6;
+    CutAhead cut{.load = load_ahead(feed_.follower(), tool, direction_K, rev_per_min, request_.cut),
                  .teeth_per_s = turns_per_s * request_.cut.teeth,
-                 .plunges = along < -level};
+                 .plunges = direction_K.dot(tool.place_K.axis) < -level};
     const process::MillingForces forces = cut.load.at(speed_mm_per_s / cut.teeth_per_s);
     constexpr double w_per_n_mm_per_s = 1e-3;
     constexpr double um_per_mm = 1e3;
-    const Vector place = tool.place_K.tip - workpiece.blank().zero;
+    const Vector place = tool.place_K.tip - feed_.follower().at_work()->blank().zero;
     places.push_back(
         {.line = sample.origin.line,
          .file = sample.origin.file,

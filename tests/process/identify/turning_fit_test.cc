@@ -87,10 +87,6 @@ CutRecord recorded(const HiddenLathe& lathe, std::mt19937& random) {
   return record;
 }
 
-bool contains(const Estimate& estimate, double truth) {
-  return estimate.low <= truth && truth <= estimate.high;
-}
-
 // 95 % intervals: of a hundred values at least ninety lie inside.
 TEST(TurningFit, ItsIntervalsHoldTheHiddenValues) {
   std::mt19937 random(20264);
@@ -101,10 +97,10 @@ TEST(TurningFit, ItsIntervalsHoldTheHiddenValues) {
     const HiddenLathe lathe = hidden(random);
     const auto fit = fit_turning(recorded(lathe, random));
     ASSERT_TRUE(fit.has_value()) << fit.error();
-    const bool hits[] = {contains(fit->coefficient_n, lathe.coefficient_n),
-                         contains(fit->exponent, lathe.exponent), contains(fit->lag_s, lathe.lag_s),
-                         contains(fit->idle_linear, lathe.idle_linear),
-                         contains(*fit->idle_square, lathe.idle_square)};
+    const bool hits[] = {fit->coefficient_n.contains(lathe.coefficient_n),
+                         fit->exponent.contains(lathe.exponent), fit->lag_s.contains(lathe.lag_s),
+                         fit->idle_linear.contains(lathe.idle_linear),
+                         fit->idle_square->contains(lathe.idle_square)};
     for (const bool hit : hits) {
       inside += hit ? 1 : 0;
       ++all;

@@ -94,20 +94,6 @@ class CutSurface {
   double depth_mm_ = 0.0;    // there
 };
 
-// Where the spindle has kept its speed for a while, and turns: a ramp takes power of its own.
-std::vector<bool> steady_rows(const process::CutRecord& record) {
-  constexpr double settled_s = 0.5;
-  std::vector<bool> steady;
-  double speed = 0.0;
-  double since_s = 0.0;
-  for (const process::CutRow& row : record.rows) {
-    since_s = row.rev_per_min == speed ? since_s + record.cycle_s : 0.0;
-    speed = row.rev_per_min;
-    steady.push_back(speed > 0.0 && since_s > settled_s);
-  }
-  return steady;
-}
-
 // Takes the events of a log one after the other.
 class CutReading {
  public:
@@ -134,13 +120,10 @@ class CutReading {
 
   [[nodiscard]] bool has_power() const { return !readings_.is_empty(); }
   CutLog end() {
-    const std::vector<bool> is_steady = steady_rows(log_.record);
-    // What a cycle was given is what the cycle before had made.
-    for (const PowerReading& reading : readings_.held()) {
-      const std::int64_t row = reading.cycle - 1 - first_cycle_;
-      if (row >= 0 && std::cmp_less(row, log_.record.rows.size()) && is_steady[checked_size(row)])
-        log_.record.rows[checked_size(row)].power_w = reading.power_w;
-    }
+    std::vector<double> speeds;
+    for (const process::CutRow& row : log_.record.rows) speeds.push_back(row.rev_per_min);
+    const std::vector<double> power = readings_.by_row(first_cycle_, speeds, log_.record.cycle_s);
+    for (std::size_t k = 0; k < power.size(); ++k) log_.record.rows[k].power_w = power[k];
     return std::move(log_);
   }
 

@@ -1,7 +1,9 @@
 #include "client/offline/process/identify/power_readings.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
+#include <utility>
 
 #include "base/place.h"
 #include "recording/format/channel_names.h"
@@ -9,6 +11,23 @@
 #include "recording/format/encode_input_record.h"
 
 namespace stanok::client {
+namespace {
+
+// Where the spindle has kept its speed for a while, and turns.
+std::vector<bool> steady_rows(const std::vector<double>& rev_per_min, double cycle_s) {
+  constexpr double settled_s = 0.5;
+  std::vector<bool> steady;
+  double speed = 0.0;
+  double since_s = 0.0;
+  for (const double now : rev_per_min) {
+    since_s = now == speed ? since_s + cycle_s : 0.0;
+    speed = now;
+    steady.push_back(speed > 0.0 && since_s > settled_s);
+  }
+  return steady;
+}
+
+}  // namespace
 
 void PowerReadings::take(const recording::LogEvent& event) {
   if (recording::topic_of(event.channel) != recording::name_of(recording::Topic::input)) return;
@@ -38,6 +57,20 @@ std::vector<PowerReading> PowerReadings::held() const {
   }
   all.push_back(changes_.back());
   return all;
+}
+
+std::vector<double> PowerReadings::by_row(std::int64_t first_cycle,
+                                          const std::vector<double>& rev_per_min,
+                                          double cycle_s) const {
+  const std::vector<bool> is_steady = steady_rows(rev_per_min, cycle_s);
+  std::vector<double> power(rev_per_min.size(), std::numeric_limits<double>::quiet_NaN());
+  // What a cycle was given is what the cycle before had made.
+  for (const PowerReading& reading : held()) {
+    const std::int64_t row = reading.cycle - 1 - first_cycle;
+    if (row >= 0 && std::cmp_less(row, power.size()) && is_steady[checked_size(row)])
+      power[checked_size(row)] = reading.power_w;
+  }
+  return power;
 }
 
 }  // namespace stanok::client

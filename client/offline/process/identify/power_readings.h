@@ -24,6 +24,12 @@ class PowerReadings {
   [[nodiscard]] bool is_empty() const { return changes_.empty(); }
   // With those of the polls that showed what the one before had shown.
   [[nodiscard]] std::vector<PowerReading> held() const;
+  // The power at the end of each of the cycles from `first_cycle` on, in which the spindle has
+  // these speeds; not a number where the sensor showed nothing, and where the spindle has not kept
+  // its speed for half a second: a ramp takes power of its own.
+  [[nodiscard]] std::vector<double> by_row(std::int64_t first_cycle,
+                                           const std::vector<double>& rev_per_min,
+                                           double cycle_s) const;
 
  private:
   int spindle_;
