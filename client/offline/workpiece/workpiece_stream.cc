@@ -42,6 +42,11 @@ WorkpieceStream::Followed* WorkpieceStream::followed(int channel) {
   return found == channels_.end() ? nullptr : &found->second;
 }
 
+runtime::ChannelFeed* WorkpieceStream::feed(int channel) {
+  Followed* const found = followed(channel);
+  return found == nullptr ? nullptr : found->feed.get();
+}
+
 void WorkpieceStream::take(std::string_view channel_name, std::span<const std::uint8_t> bytes) {
   if (!channel_name.starts_with(prefix_)) return;
   const std::string_view topic = recording::topic_of(channel_name);

@@ -37,6 +37,8 @@ class WorkpieceStream {
     double first_s = 0.0;
   };
   [[nodiscard]] const Missing& missing() const { return missing_; }
+  // Of a channel of the machine; nullptr: it has no such channel.
+  [[nodiscard]] runtime::ChannelFeed* feed(int channel);
   // All workpieces, cut as far as the messages go.
   [[nodiscard]] std::vector<NamedWorkpiece> workpieces();
   [[nodiscard]] FileNames names() const;

@@ -10,13 +10,17 @@
 
 #include "client/offline/process/identify/grind_fit_report.h"
 #include "client/offline/process/identify/identify_report.h"
+#include "client/offline/process/identify/milling_fit_report.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"
+#include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
 
 namespace stanok::client {
 namespace {
+
+constexpr double usual_efficiency_of_wheel = 0.85;
 
 struct IdentifyOptions {
   std::string log;
@@ -31,7 +35,9 @@ struct IdentifyOptions {
   double touch_mm = std::numeric_limits<double>::quiet_NaN();
   double force_ratio = 0.4;
   double wheel_speed_m_per_s = 35.0;
-  double efficiency = 0.85;
+  std::optional<double> efficiency;  // of the drive
+  std::string cut;                   // tool and material of a milling cut
+  int tool = 0;
 };
 
 std::optional<StockStep> stock_step(const std::string& text) {
@@ -69,7 +75,8 @@ int run_grinding(const IdentifyOptions& options) {
       .channel = options.channel,
       .spindle = options.spindle - 1,
       .allowance_mm = sheet.allowance_mm,
-      .watts_per_newton = options.force_ratio * options.wheel_speed_m_per_s / options.efficiency};
+      .watts_per_newton = options.force_ratio * options.wheel_speed_m_per_s /
+                          options.efficiency.value_or(usual_efficiency_of_wheel)};
   if (std::isfinite(options.touch_mm)) request.touch_mm = options.touch_mm;
   const GrindLog log = read_grind_log(options.log, request);
   const auto fit = process::fit_grinding(log.record, sheet.process);
@@ -86,10 +93,36 @@ int run_grinding(const IdentifyOptions& options) {
   return 0;
 }
 
+int run_milling(const IdentifyOptions& options) {
+  const MillingLogRequest request{.channel = options.channel,
+                                  .spindle = options.spindle - 1,
+                                  .cut = config::read_chatter_file(options.cut),
+                                  .tool = options.tool};
+  if (request.cut.kind != process::CutKind::milling)
+    throw std::runtime_error(options.cut + " is not of a milling cut; write kind = \"milling\"");
+  const MillingLog log = read_milling_log(options.log, request);
+  const auto fit = process::fit_milling(log.record);
+  if (!fit) throw std::runtime_error(fit.error());
+  const MillingFitReport report{
+      .log = log, .fit = *fit, .efficiency = options.efficiency.value_or(1.0)};
+  if (!options.out.empty())
+    write_text_file(options.out, with_figures(text_of(options.cut), report));
+  if (!options.picture.empty()) draw_picture(report, options.picture);
+  if (options.json) {
+    write_json(to_json(report));
+  } else {
+    write_data(to_text(report));
+  }
+  return 0;
+}
+
 int run_identify(const IdentifyOptions& options) {
   if (!options.grinding.empty()) return run_grinding(options);
-  if (options.stock.empty())
-    throw CLI::RequiredError("--stock of a turning cut, or --grinding of a plunge cycle");
+  if (!options.cut.empty()) return run_milling(options);
+  if (options.stock.empty()) {
+    throw CLI::RequiredError(
+        "--stock of a turning cut, --cut of a milling cut, or --grinding of a plunge cycle");
+  }
   const CutLog log =
       read_cut_log(options.log, options.channel, options.spindle - 1, stock_of(options));
   const auto fit = process::fit_turning(log.record);
@@ -111,8 +144,8 @@ void add_identify_command(CLI::App& noun, int& exit_code) {
   const auto options = std::make_shared<IdentifyOptions>();
   CLI::App* command = noun.add_subcommand(
       "identify",
-      "idle power, coefficient and exponent of the force from the log of a cut; turning: the lag "
-      "of the sensor, grinding: the stiffness");
+      "idle power, lag of the sensor and force of the material from the log of a cut: turning, "
+      "milling, or grinding with the stiffness");
   command->add_option("LOG", options->log, "log of a cut")->required()->type_name("FILE");
   CLI::Option* const stock = command->add_option(
       "--stock", options->stock,
@@ -146,12 +179,29 @@ void add_identify_command(CLI::App& noun, int& exit_code) {
                    "surface speed of the wheel, m/s (35)")
       ->check(CLI::Range(1.0, 200.0))
       ->needs(grinding);
-  command->add_option("--efficiency", options->efficiency, "of the drive of the wheel (0.85)")
+  CLI::Option* const cut =
+      command
+          ->add_option("--cut", options->cut,
+                       "milling: tool and material (TOML, as of `process lobes`); the log has the "
+                       "workpiece")
+          ->type_name("FILE")
+          ->excludes(stock)
+          ->excludes(grinding);
+  command
+      ->add_option("--tool", options->tool,
+                   "milling: number of the tool whose cuts are looked at; default: all")
+      ->check(CLI::PositiveNumber)
+      ->needs(cut);
+  command
+      ->add_option(
+          "--efficiency", options->efficiency,
+          "of the drive; grinding: of the wheel's (0.85); milling: the forces are those of "
+          "the cut, not of the drive (1)")
       ->check(CLI::Range(0.1, 1.0))
-      ->needs(grinding);
+      ->excludes(stock);
   command
       ->add_option("--out", options->out,
-                   "[process] section to write; --grinding: the process file with the new figures")
+                   "[process] section to write; --cut, --grinding: that file with the new figures")
       ->type_name("FILE");
   command->add_option("--picture", options->picture, "power and residual, .svg or .png")
       ->type_name("FILE")
