@@ -143,6 +143,29 @@ TEST(SemiDiscretisation, WithoutACutModesDecay) {
   EXPECT_NEAR(SemiDiscretisation(process).growth(speed, 0.0), expected, 1e-6);
 }
 
+// The case by which such methods are compared: one mode along the feed, a full slot with two teeth
+// at 5000 rev/min. Converged growths of Y. Ding, L. Zhu, X. Zhang, H. Ding, A full-discretization
+// method for prediction of milling stability, Int. J. Mach. Tools Manuf. 50 (2010) 502.
+TEST(SemiDiscretisation, GrowsAsPublished) {
+  constexpr double mass_kg = 0.03993;
+  constexpr double hz = 922.0;
+  CuttingProcess process;
+  process.force_n_per_mm2 = 600.0;
+  process.radial_ratio = 200.0 / 600.0;
+  process.teeth = 2;
+  process.modes_x = {{.frequency_hz = hz,
+                      .damping = 0.011,
+                      .stiffness_n_per_mm = mass_kg * two_pi * hz * two_pi * hz * 1e-3}};
+  const SemiDiscretisation motion(process);
+  struct Published {
+    double depth_mm;
+    double growth;
+  };
+  for (const auto& [depth_mm, growth] :
+       {Published{0.2, 0.8192}, {0.5, 1.0726}, {0.7, 1.2197}, {1.0, 1.4040}})
+    EXPECT_NEAR(motion.growth(5000.0, depth_mm) / growth, 1.0, 0.005) << depth_mm;
+}
+
 TEST(Engagement, OfAnEndMill) {
   CuttingProcess process = slot();
   engage(process, MillingSense::up, 0.5);
