@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "daemon/desk/search_report.h"
+#include "daemon/report/search_report.h"
 
 namespace stanok::daemon {
 namespace {

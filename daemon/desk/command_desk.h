@@ -16,7 +16,7 @@
 #include "base/expected.h"
 #include "channels/contract/operator_event.h"
 #include "daemon/cycle/running_machine.h"
-#include "daemon/desk/channel_notes.h"
+#include "daemon/report/channel_notes.h"
 #include "protocol/failure.h"
 
 namespace stanok::daemon {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "daemon/desk/drive_report.h"
-#include "daemon/desk/inventory.h"
 #include "daemon/desk/operator_command.h"
 #include "daemon/desk/table_loading.h"
+#include "daemon/report/drive_report.h"
+#include "daemon/report/inventory.h"
 #include "daemon/scope/scope_desk.h"
 #include "protocol/discovery.h"
 #include "protocol/json_text.h"

@@ -16,9 +16,9 @@
 #include "daemon/desk/command_desk.h"
 #include "daemon/desk/log_desk.h"
 #include "daemon/desk/program_desk.h"
-#include "daemon/desk/status_report.h"
 #include "daemon/desk/subscription.h"
 #include "daemon/desk/surface_desk.h"
+#include "daemon/report/status_report.h"
 #include "protocol/json_rpc.h"
 
 namespace stanok::daemon {

@@ -7,7 +7,7 @@
 #include "channels/stores/live_tables.h"
 #include "config/files/tables_file.h"
 #include "config/text/config_error.h"
-#include "daemon/desk/inventory.h"
+#include "daemon/report/inventory.h"
 #include "protocol/json_text.h"
 
 namespace stanok::daemon {

@@ -1,5 +1,5 @@
 // Inventory: the programs beneath a root, for those who choose one.
-#include "daemon/desk/inventory.h"
+#include "daemon/report/inventory.h"
 
 #include <gtest/gtest.h>
 

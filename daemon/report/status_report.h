@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/cycle/running_machine.h"
-#include "daemon/desk/channel_notes.h"
+#include "daemon/report/channel_notes.h"
 #include "simulation/machine_geometry.h"
 
 namespace stanok::daemon {

@@ -1,4 +1,4 @@
-#include "daemon/desk/process_status.h"
+#include "daemon/report/process_status.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

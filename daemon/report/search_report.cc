@@ -1,4 +1,4 @@
-#include "daemon/desk/search_report.h"
+#include "daemon/report/search_report.h"
 
 namespace stanok::daemon {
 namespace {

@@ -1,5 +1,5 @@
 // Tool, spindles and distance to go, as a status shows them.
-#include "daemon/desk/channel_display.h"
+#include "daemon/report/channel_display.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "daemon/desk/channel_display.h"
+#include "daemon/report/channel_display.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "daemon/desk/status_report.h"
+#include "daemon/report/status_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include "base/catalogue.h"
 #include "base/enum_names.h"
 #include "base/place.h"
-#include "daemon/desk/channel_display.h"
-#include "daemon/desk/process_status.h"
+#include "daemon/report/channel_display.h"
+#include "daemon/report/process_status.h"
 #include "runtime/workpiece/workpiece_feed.h"
 
 namespace stanok::daemon {

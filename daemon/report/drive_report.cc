@@ -1,5 +1,5 @@
 // What `drive list` and `drive status` say.
-#include "daemon/desk/drive_report.h"
+#include "daemon/report/drive_report.h"
 
 #include "base/enum_names.h"
 #include "drives/modbus/exchange_plan.h"

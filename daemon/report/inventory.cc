@@ -1,4 +1,4 @@
-#include "daemon/desk/inventory.h"
+#include "daemon/report/inventory.h"
 
 #include <algorithm>
 #include <array>
