@@ -29,6 +29,7 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
     {"kinematics", "kinematic schemes of a channel"},
     {"drive", "drives and their bus"},
     {"alarm", "alarms: list, acknowledge, history"},
+    {"measurement", "what programs have measured"},
     {"tool", "tool table"},
     {"offset", "work offsets"},
     {"process", "cutting process and adaptive control"},

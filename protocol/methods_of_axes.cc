@@ -91,6 +91,11 @@ constexpr auto axes_rows = std::to_array<Method>({
      .parameters = of_channel,
      .help = "alarms since the daemon started, the newest 500 of each channel",
      .result = R"({"alarms":["$alarm"],"forgotten?":"integer"})"},
+    {.name = "measurement.history",
+     .parameters = of_channel,
+     .help = "what programs measured since the daemon started, the newest 500 of each channel",
+     .result = R"({"measurements":[{"channel":"integer","number":"integer","cycle":"integer",
+      "feature":"string","values":{"*":"number"},"text":"string"}],"forgotten?":"integer"})"},
 });
 
 }  // namespace

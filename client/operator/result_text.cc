@@ -46,6 +46,7 @@ const std::vector<ListView>& list_views() {
       {"alarm.history",
        "alarms",
        {"channel", "cycle", "code", "file", "line", "text", "acknowledged"}},
+      {"measurement.history", "measurements", {"channel", "number", "cycle", "text"}},
       {"tool.list",
        "tools",
        {"number", "edge", "name", "kind", "length", "radius", "corner_radius", "wear_length",

@@ -128,6 +128,8 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
        [](Dispatch& d, const json& p) { return d.report_.alarms_standing(p.value("channel", 0)); }},
       {"alarm.history",
        [](Dispatch& d, const json& p) { return d.report_.alarm_history(p.value("channel", 0)); }},
+      {"measurement.history",
+       [](Dispatch& d, const json& p) { return d.measurements_.history(p.value("channel", 0)); }},
       {"tool.list", [](Dispatch& d, const json&) { return tool_list(d.machine_); }},
       {"tool.get", [](Dispatch& d, const Call& call) { return d.tool_get(call.parameters); }},
       {"tool.load", [](Dispatch& d, Call call) { d.load_tables(std::move(call)); }},

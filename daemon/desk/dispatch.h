@@ -18,6 +18,7 @@
 #include "daemon/desk/program_desk.h"
 #include "daemon/desk/subscription.h"
 #include "daemon/desk/surface_desk.h"
+#include "daemon/report/measurement_notes.h"
 #include "daemon/report/status_report.h"
 #include "protocol/json_rpc.h"
 
@@ -58,6 +59,7 @@ class Dispatch {
   void handle(SessionState& session, const protocol::Request& request, Answer answer);
 
   void on_reply(const channels::OperatorReply& reply) { desk_.on_reply(reply); }
+  void on_event(const channels::Event& event) { measurements_.take(event); }
   void tick(SteadyTime now) {
     tell_control();
     desk_.tick(now);
@@ -126,6 +128,7 @@ class Dispatch {
   SurfaceDesk surfaces_;
   LogDesk logs_;
   StatusReport report_;
+  MeasurementNotes measurements_;
   std::size_t clients_ = 0;
   SteadyTime started_;
 };

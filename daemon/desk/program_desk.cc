@@ -4,8 +4,8 @@
 #include <chrono>
 
 #include "base/utf8.h"
-#include "daemon/report/inventory.h"
 #include "daemon/desk/path_pages.h"
+#include "daemon/report/inventory.h"
 #include "daemon/report/status_report.h"
 #include "protocol/diagnostic_json.h"
 #include "runtime/axis_positions.h"

@@ -199,7 +199,10 @@ bool OperatorServer::has_failed() const {
 }
 
 void OperatorServer::on_event(const channels::Event& event) {
-  asio::post(parts_->io, [parts = parts_.get(), event] { parts->push_event(event); });
+  asio::post(parts_->io, [parts = parts_.get(), event] {
+    parts->dispatch.on_event(event);
+    parts->push_event(event);
+  });
 }
 
 void OperatorServer::on_reply(const channels::OperatorReply& reply) {

@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-// Lines that a program logs and that begin so are measurements (docs/programmer/measuring.md).
-constexpr std::string_view measured = "measured ";
 // Lines of manual input are runs, too, and make no parts.
 constexpr std::string_view manual_input = "MDI";
 
@@ -24,7 +22,7 @@ std::string key_of(const json& row) {
 
 json& counts_of(json& mark, const json& row) {
   json& counts = mark["channels"][key_of(row)];
-  if (counts.is_null()) counts = {{"begun", 0}, {"ended", 0}, {"alarms", 0}};
+  if (counts.is_null()) counts = {{"begun", 0}, {"ended", 0}, {"alarms", 0}, {"measurements", 0}};
   return counts;
 }
 
@@ -143,25 +141,28 @@ void EventSource::append_forgotten(const json& row, std::int64_t known, std::str
 }
 
 void EventSource::take_alarms(const json& alarms) {
-  json mark = mark_;
-  std::vector<Event> events;
-  for (const json& alarm : alarms.at("alarms")) {
-    json& known = counts_of(mark, alarm)["alarms"];
-    if (number_in(alarm) <= known) continue;
-    append_forgotten(alarm, known, "alarms", events);
-    known = number_in(alarm);
-    events.push_back(
-        event(event::alarm, time_of(alarm.value("cycle", json())),
-              members(alarm, {"channel", "number", "code", "text", "file", "line", "reaction"})));
-  }
-  if (!events.empty()) write(events, std::move(mark));
+  take_rows(alarms.at("alarms"), {event::alarm, "alarms"},
+            {"channel", "number", "code", "text", "file", "line", "reaction"});
 }
 
-void EventSource::take_event(const json& told) {
-  if (!told.value("text", "").starts_with(measured)) return;
-  write({event(event::measurement, time_of(told.value("cycle", json())),
-               members(told, {"channel", "cycle", "text"}))},
-        mark_);
+void EventSource::take_measurements(const json& measurements) {
+  take_rows(measurements.at("measurements"), {event::measurement, "measurements"},
+            {"channel", "number", "cycle", "text"});
+}
+
+void EventSource::take_rows(const json& rows, const RowKind& kind,
+                            std::initializer_list<const char*> names) {
+  json mark = mark_;
+  std::vector<Event> events;
+  for (const json& row : rows) {
+    json& known = counts_of(mark, row)[kind.counted];
+    if (known.is_null()) known = 0;  // a mark of an older gateway
+    if (number_in(row) <= known) continue;
+    append_forgotten(row, known, kind.counted, events);
+    known = number_in(row);
+    events.push_back(event(kind.event, time_of(row.value("cycle", json())), members(row, names)));
+  }
+  if (!events.empty()) write(events, std::move(mark));
 }
 
 void EventSource::add_tool_time(int tool, double seconds) {

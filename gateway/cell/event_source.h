@@ -1,10 +1,10 @@
 // EventSource: events of one machine out of what its daemon remembers, each once.
 //
-// The daemon keeps runs and alarms with numbers that count up in each channel since it started. The
-// mark in the outbox says up to which number they have been read, of which daemon (boot of the
-// computer, process, start), so that neither a gateway nor a disk that was away loses or doubles
-// any: what could not be written is found again. Times are those of the cycles, by the clock of
-// the gateway.
+// The daemon keeps runs, alarms and measurements with numbers that count up in each channel since
+// it started. The mark in the outbox says up to which number they have been read, of which daemon
+// (boot of the computer, process, start), so that neither a gateway nor a disk that was away loses
+// or doubles any: what could not be written is found again. Times are those of the cycles, by the
+// clock of the gateway.
 #pragma once
 
 #include <map>
@@ -42,8 +42,8 @@ class EventSource {
   void take_runs(const nlohmann::json& runs, const std::map<std::string, std::string>& versions);
   // An answer to `alarm.history`; throws likewise.
   void take_alarms(const nlohmann::json& alarms);
-  // A notification `event`: measurements are events of their own; throws likewise.
-  void take_event(const nlohmann::json& event);
+  // An answer to `measurement.history`; throws likewise.
+  void take_measurements(const nlohmann::json& measurements);
 
   // The tool is in the spindle of a program that runs.
   void add_tool_time(int tool, double seconds);
@@ -57,6 +57,12 @@ class EventSource {
   void append_run(const nlohmann::json& run, const std::string& version, nlohmann::json& mark,
                   std::vector<Event>& events) const;
   void append_tool_use(nlohmann::json& mark, std::vector<Event>& events) const;
+  struct RowKind {
+    std::string_view event;
+    const char* counted;  // in the mark
+  };
+  void take_rows(const nlohmann::json& rows, const RowKind& kind,
+                 std::initializer_list<const char*> names);
   // When numbers have been skipped, the daemon had forgotten them.
   void append_forgotten(const nlohmann::json& row, std::int64_t known, std::string_view what,
                         std::vector<Event>& events) const;

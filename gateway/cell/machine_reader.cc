@@ -136,10 +136,12 @@ asio::awaitable<void> MachineReader::read_history() {
   for (const std::string& program : events_.new_programs(runs))
     versions[program] = co_await version_of(program);
   const json alarms = co_await ask("alarm.history", json::object());
+  const json measurements = co_await ask("measurement.history", json::object());
   const json standing = co_await ask("alarm.list", json::object());
   try {
     events_.take_runs(runs, versions);
     events_.take_alarms(alarms);
+    events_.take_measurements(measurements);
   } catch (const DatabaseError& error) {
     // The daemon remembers them, and is asked again.
     is_history_new_ = true;
@@ -169,15 +171,8 @@ asio::awaitable<std::string> MachineReader::version_of(std::string program) {
 
 void MachineReader::take_notification(const json& message) {
   const std::string method = message.value("method", "");
-  const json parameters = message.value("params", json::object());
-  if (method == "status") take_status(parameters);
-  if (method != "event") return;
-  is_history_new_ = true;
-  try {
-    events_.take_event(parameters);
-  } catch (const DatabaseError& error) {
-    spdlog::error("{}: a measurement is lost: {}", address_.name, error.what());
-  }
+  if (method == "status") take_status(message.value("params", json::object()));
+  if (method == "event") is_history_new_ = true;
 }
 
 void MachineReader::take_status(const json& parameters) {

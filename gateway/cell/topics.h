@@ -57,7 +57,7 @@ inline constexpr std::array topics{
     Topic{event::alarm, TopicKind::event, "once",
           "channel, number, code, text, file, line, reaction"},
     Topic{event::tool_use, TopicKind::event, "once, with the end of a run", "tool, use_s, total_s"},
-    Topic{event::measurement, TopicKind::event, "once", "channel, cycle, text"},
+    Topic{event::measurement, TopicKind::event, "once", "channel, number, cycle, text"},
     Topic{event::lost, TopicKind::event, "once",
           "first, last: numbers given up by the outbox; or channel, what, count: entries that the "
           "daemon had forgotten"},

@@ -30,7 +30,7 @@ void HistoryWriter::run(const std::stop_token& stop) {
     has_stored_ = false;
     try {
       serve(stop);
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       if (has_stored_) backoff.reset();
       if (backoff.is_first()) spdlog::warn("history: {}; tried again", error.what());
       backoff.wait(stop);

@@ -109,10 +109,23 @@ TEST_F(TheSource, CountsTheTimeOfToolsWithRuns) {
   EXPECT_EQ(source_.tools(), json({{"3", 3.5}}));
 }
 
-TEST_F(TheSource, TakesLoggedLinesThatAreMeasurements) {
-  source_.take_event({{"channel", 1}, {"cycle", 10}, {"text", "measured bore size=14.05"}});
-  source_.take_event({{"channel", 1}, {"cycle", 11}, {"text", "nothing was measured"}});
-  EXPECT_EQ(seen(), "measurement ;");
+json measurement(int number) {
+  return {{"channel", 1}, {"number", number}, {"cycle", 10}, {"text", "measured bore size=14.05"}};
+}
+
+json measurements(std::initializer_list<json> list) {
+  return {{"measurements", json(list)}};
+}
+
+TEST_F(TheSource, TellsMeasurementsOnceAlsoThoseWhileItWasAway) {
+  source_.take_measurements(measurements({measurement(1)}));
+  EXPECT_EQ(seen(), "measurement 1;");
+  EventSource next("mill", outbox_);
+  meet(next);
+  next.take_measurements(measurements({measurement(1), measurement(2), measurement(3)}));
+  EXPECT_EQ(seen(), "measurement 2;measurement 3;");
+  next.take_measurements(measurements({measurement(7)}));
+  EXPECT_EQ(seen(), "lost 3;measurement 7;");
 }
 
 TEST(GatewayOptions, RefuseWhatWouldBeDangerous) {

@@ -128,6 +128,7 @@ TEST(MethodTable, HasTheMethodsOfTheOperatorsManual) {
                            "alarm.list",
                            "alarm.ack",
                            "alarm.history",
+                           "measurement.history",
                            "log.start",
                            "log.stop",
                            "log.status",
