@@ -28,29 +28,28 @@ const char* text_or_null(const std::filesystem::path& path) {
 
 }  // namespace
 
-BrokerConnection::BrokerConnection(const BrokerOptions& options, const std::string& will_topic,
-                                   const std::string& will)
+BrokerConnection::BrokerConnection(const BrokerOptions& options, const Will& will)
     : begun_(std::chrono::steady_clock::now()) {
   constexpr bool keeps_nothing = true;
   client_.reset(mosquitto_new(nullptr, keeps_nothing, this));
   if (client_ == nullptr) throw BrokerError("no client of the broker can be made");
-  configure(options, will_topic, will);
+  configure(options, will);
   check(mosquitto_connect_async(client_.get(), options.host.c_str(), options.port, keepalive_s),
         options.host + ":" + std::to_string(options.port));
 }
 
 BrokerConnection::~BrokerConnection() = default;
 
-void BrokerConnection::configure(const BrokerOptions& options, const std::string& will_topic,
-                                 const std::string& will) {
+void BrokerConnection::configure(const BrokerOptions& options, const Will& will) {
   mosquitto* const client = client_.get();
   mosquitto_connect_callback_set(client, on_connect);
   mosquitto_publish_callback_set(client, on_publish);
+  mosquitto_message_callback_set(client, on_message);
   // All that is published may be on its way: the caller bounds it.
   mosquitto_max_inflight_messages_set(client, 0);
-  constexpr bool retained = true;
-  check(mosquitto_will_set(client, will_topic.c_str(), static_cast<int>(will.size()), will.data(),
-                           at_least_once, retained),
+  check(mosquitto_will_set(client, will.topic.c_str(), static_cast<int>(will.payload.size()),
+                           will.payload.data(), at_least_once,
+                           will.keeping == Will::Keeping::retained),
         "last will");
   if (!options.user.empty()) {
     const std::string password =
@@ -75,6 +74,15 @@ void BrokerConnection::on_publish(mosquitto* /*unused*/, void* self, int number)
   static_cast<BrokerConnection*>(self)->acknowledged_.insert(number);
 }
 
+void BrokerConnection::on_message(mosquitto* /*unused*/, void* self,
+                                  const mosquitto_message* message) {
+  constexpr std::size_t kept_max = 100;
+  std::vector<std::string>& messages = static_cast<BrokerConnection*>(self)->messages_;
+  if (messages.size() == kept_max) messages.erase(messages.begin());
+  messages.emplace_back(static_cast<const char*>(message->payload),
+                        static_cast<std::size_t>(message->payloadlen));
+}
+
 void BrokerConnection::step(std::chrono::milliseconds patience) {
   constexpr int packets = 1;
   const int result = mosquitto_loop(client_.get(), static_cast<int>(patience.count()), packets);
@@ -93,6 +101,20 @@ void BrokerConnection::publish_retained(const std::string& topic, const std::str
   check(mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(payload.size()),
                           payload.data(), 0, retained),
         topic);
+}
+
+void BrokerConnection::publish_once(const std::string& topic, const std::string& payload) {
+  check(mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(payload.size()),
+                          payload.data(), 0, false),
+        topic);
+}
+
+void BrokerConnection::subscribe(const std::string& topic) {
+  check(mosquitto_subscribe(client_.get(), nullptr, topic.c_str(), at_least_once), topic);
+}
+
+std::vector<std::string> BrokerConnection::take_messages() {
+  return std::exchange(messages_, {});
 }
 
 int BrokerConnection::publish(const std::string& topic, const std::string& payload) {

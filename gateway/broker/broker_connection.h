@@ -7,10 +7,12 @@
 #include <mosquitto.h>
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "gateway/broker/broker_options.h"
 
@@ -22,12 +24,18 @@ class BrokerError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What the broker publishes when the connection is lost.
+struct Will {
+  enum class Keeping : std::uint8_t { none, retained };
+  std::string topic;
+  std::string payload;
+  Keeping keeping = Keeping::retained;
+};
+
 class BrokerConnection {
  public:
-  // Until step() says so, it is on its way. `will` is published by the broker, retained, when the
-  // connection is lost. Throws BrokerError.
-  BrokerConnection(const BrokerOptions& options, const std::string& will_topic,
-                   const std::string& will);
+  // Until step() says so, it is on its way. Throws BrokerError.
+  BrokerConnection(const BrokerOptions& options, const Will& will);
   ~BrokerConnection();
   BrokerConnection(const BrokerConnection&) = delete;
   BrokerConnection& operator=(const BrokerConnection&) = delete;
@@ -40,19 +48,25 @@ class BrokerConnection {
 
   // A state. Throws BrokerError.
   void publish_retained(const std::string& topic, const std::string& payload);
+  // What is of use now or never, QoS 0, not retained. Throws BrokerError.
+  void publish_once(const std::string& topic, const std::string& payload);
   // An event, QoS 1: the number under which it is acknowledged. Throws BrokerError.
   [[nodiscard]] int publish(const std::string& topic, const std::string& payload);
   // Those that the broker has, since the last call.
   [[nodiscard]] std::set<int> take_acknowledged();
 
+  // Throws BrokerError.
+  void subscribe(const std::string& topic);
+  // What came on topics that were subscribed to, since the last call; the newest of very many.
+  [[nodiscard]] std::vector<std::string> take_messages();
   // Says goodbye: the will is not published.
   void end();
 
  private:
   static void on_connect(mosquitto* /*unused*/, void* self, int result);
   static void on_publish(mosquitto* /*unused*/, void* self, int number);
-  void configure(const BrokerOptions& options, const std::string& will_topic,
-                 const std::string& will);
+  static void on_message(mosquitto* /*unused*/, void* self, const mosquitto_message* message);
+  void configure(const BrokerOptions& options, const Will& will);
 
   struct Destroy {
     void operator()(mosquitto* client) const { mosquitto_destroy(client); }
@@ -62,6 +76,7 @@ class BrokerConnection {
   std::string refused_;
   std::chrono::steady_clock::time_point begun_;
   std::set<int> acknowledged_;
+  std::vector<std::string> messages_;
 };
 
 }  // namespace stanok::gateway

@@ -34,7 +34,7 @@ void Publisher::run(const std::stop_token& stop) {
     try {
       Outbox outbox(outbox_file_);
       serve(stop, outbox);
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       if (was_connected_) backoff.reset();
       if (backoff.is_first() || was_connected_)
         spdlog::warn("broker {}:{}: {}; tried again", options_.host, options_.port, error.what());
@@ -45,7 +45,7 @@ void Publisher::run(const std::stop_token& stop) {
 
 void Publisher::serve(const std::stop_token& stop, Outbox& outbox) {
   const std::string own_topic(topic_of(prefix_, "", topic::gateway));
-  BrokerConnection connection(options_, own_topic, online("no"));
+  BrokerConnection connection(options_, {own_topic, online("no"), Will::Keeping::retained});
   under_way_.clear();
   sent_ = outbox.position(consumer);
   while (!stop.stop_requested()) {

@@ -25,6 +25,15 @@ StateBoard::Payloads StateBoard::take_new() {
   return payloads;
 }
 
+std::optional<StateBoard::Contents> StateBoard::contents_since(std::int64_t& number) {
+  const std::lock_guard lock(mutex_);
+  if (number == number_) return std::nullopt;
+  number = number_;
+  Contents contents;
+  for (const auto& [topic, state] : states_) contents[topic] = state.content;
+  return contents;
+}
+
 void StateBoard::renew_all() {
   const std::lock_guard lock(mutex_);
   for (auto& [topic, state] : states_) state.is_new = true;

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,11 @@ class StateBoard {
   using Payloads = std::vector<std::pair<std::string, std::string>>;
   // Topics and payloads that nobody has taken yet.
   [[nodiscard]] Payloads take_new();
+  // The newest of all topics, unless `number` says that there is nothing new since the last call
+  // with it; -1 at first.
+  using Contents = std::map<std::string, nlohmann::json>;
+  [[nodiscard]] std::optional<Contents> contents_since(std::int64_t& number);
+  [[nodiscard]] const std::string& source() const { return source_; }
   // A broker that was away gets all of them.
   void renew_all();
 

@@ -15,6 +15,7 @@
 #include "gateway/cell/machine_reader.h"
 #include "gateway/cell/state_board.h"
 #include "gateway/history/history_writer.h"
+#include "gateway/sparkplug/sparkplug_publisher.h"
 
 namespace stanok::gateway {
 namespace {
@@ -57,6 +58,12 @@ void run_gateway(const GatewayOptions& options) {
   if (options.has_broker) {
     publisher = std::jthread([&](const std::stop_token& stop) {
       Publisher(options.broker, options.prefix, options.outbox(), board).run(stop);
+    });
+  }
+  std::jthread sparkplug;
+  if (!options.sparkplug_group.empty()) {
+    sparkplug = std::jthread([&](const std::stop_token& stop) {
+      SparkplugPublisher(options.broker, options.prefix, options.sparkplug_group, board).run(stop);
     });
   }
   std::jthread history;

@@ -66,6 +66,10 @@ void check(const GatewayOptions& options) {
     throw UsageError("--password-file belongs to --user");
   if (!broker.password_file.empty() && broker.tls_ca.empty() && !is_loopback(broker.host))
     throw UsageError("a password must not travel unencrypted: add --tls-ca FILE");
+  if (!options.sparkplug_group.empty() && !is_level(options.sparkplug_group))
+    throw UsageError("--sparkplug wants the name of a group without /, + and #");
+  if (!options.sparkplug_group.empty() && !options.has_broker)
+    throw UsageError("--sparkplug needs a broker: leave --broker off away");
   if (holds_password(options.history))
     throw UsageError(
         "--history must not hold a password: everybody here could read it; write it "

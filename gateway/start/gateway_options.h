@@ -24,6 +24,7 @@ struct GatewayOptions {
   BrokerOptions broker;
   bool has_broker = true;
   std::string prefix = "stanok";
+  std::string sparkplug_group;         // empty: no Sparkplug
   std::filesystem::path state_folder;  // of the outbox
   std::int64_t events_max = Outbox::usual_events_max;
   double rate_hz = 1.0;

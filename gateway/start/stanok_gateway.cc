@@ -36,6 +36,9 @@ void add_broker_options(CLI::App& app, CommandLine& given) {
       ->type_name("HOST:PORT");
   app.add_option("--topic", given.options.prefix, "what topics begin with; default: stanok")
       ->type_name("PREFIX");
+  app.add_option("--sparkplug", given.options.sparkplug_group,
+                 "states as Sparkplug B, too, as a node of this group")
+      ->type_name("GROUP");
   app.add_option("--user", broker.user, "user at the broker")->type_name("NAME");
   app.add_option("--password-file", broker.password_file, "file whose first line is the password")
       ->type_name("FILE");

@@ -8,6 +8,7 @@ import contextlib
 import json
 import os
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -170,6 +171,35 @@ class TheCell(unittest.TestCase):
             self.receive_until(subscriber, lambda _, content: content["connected"], "connected")
         self.receive_until(subscriber, lambda _, content: not content["connected"], "disconnected")
 
+    def test_a_host_of_sparkplug_sees_births_data_and_deaths(self):
+        broker = self.broker()
+        with contextlib.ExitStack() as inner, Subscriber(broker.port, "spBv1.0/works/#") as host:
+            machine = Machine(inner)
+            gateway = contextlib.ExitStack()
+            gateway.enter_context(running_gateway(GATEWAY, self.folder, {"mill": machine.socket}, broker.port,
+                                                  ("--sparkplug", "works")))
+            watched = SparkplugHost(host)
+            self.wait_for(lambda: watched.next() and "NBIRTH" in watched.seen, "the birth of the node")
+            self.assertEqual(watched.metrics[""]["Node Control/Rebirth"], False)
+            self.wait_for(lambda: watched.next() and watched.value("mill", "state/connected") is True,
+                          "the birth of the machine")
+            machine.run()
+            self.wait_for(lambda: watched.next() and watched.value("mill", "parts/programs/part.nc") == 1.0, "the part")
+            watched.seen.clear()
+            machine.run()
+            self.wait_for(lambda: watched.next() and watched.value("mill", "parts/programs/part.nc") == 2.0, "the next")
+            self.assertIn("DDATA", watched.seen)
+            self.assertEqual(watched.value("mill", "state/channels/1/state"), "Reset")
+            # A host that came late asks for births.
+            watched.seen.clear()
+            host.publish(f"spBv1.0/works/NCMD/{watched.node}", rebirth_command())
+            self.wait_for(lambda: watched.next() and {"NBIRTH", "DBIRTH"} <= watched.seen, "births again")
+            inner.close()
+            self.wait_for(lambda: watched.next() and "DDEATH" in watched.seen, "the death of the machine")
+            gateway.close()
+            self.wait_for(lambda: watched.next() and "NDEATH" in watched.seen, "the death of the node")
+            self.assertEqual(watched.died_with, watched.metrics[""]["bdSeq"])
+
     def test_a_broker_that_dies_under_events_loses_none(self):
         """Runs of two machines go on while the broker is killed and brought back, and once the gateway is."""
         broker = self.broker()
@@ -217,6 +247,85 @@ class TheCell(unittest.TestCase):
         while not condition():
             self.assertLess(time.monotonic(), end, f"never {what}")
             time.sleep(0.02)
+
+
+class SparkplugHost:
+    """What a host of Sparkplug B makes of the messages, with a decoder of protocol buffers of its own.
+
+    Sources: Eclipse Sparkplug 3.0.0, chapters 4 and 6; Protocol Buffers, Encoding."""
+
+    def __init__(self, subscriber):
+        self.subscriber, self.seen, self.metrics, self.types, self.numbers = subscriber, set(), {}, {}, []
+        self.node, self.died_with = None, None
+
+    def value(self, machine, name):
+        return self.metrics.get(machine, {}).get(name)
+
+    def next(self):
+        topic, payload, retained = self.subscriber.receive_bytes()
+        _, _, kind, self.node, *device = topic.split("/")
+        if kind == "NCMD":
+            return self.next()
+        assert not retained
+        fields, machine = decoded(payload), device[0] if device else ""
+        told = dict(self.metric(machine, kind, bytes_) for bytes_ in fields.get(2, []))
+        self.seen.add(kind)
+        if kind == "NDEATH":
+            self.died_with = told["bdSeq"]
+            return True
+        # Numbers count up from the birth of the node on: 0 to 255 and again.
+        number = fields[3][0]
+        assert number == (0 if kind == "NBIRTH" else (self.numbers[-1] + 1) % 256), (kind, number)
+        self.numbers.append(number)
+        if kind.endswith("BIRTH"):
+            self.metrics[machine] = {}
+        assert kind.endswith("BIRTH") or set(told) <= set(self.metrics[machine]), "data that no birth has named"
+        self.metrics[machine].update(told)
+        return True
+
+    def metric(self, machine, kind, payload):
+        fields = decoded(payload)
+        name, type_ = fields[1][0].decode(), fields[4][0]
+        if kind.endswith("BIRTH"):
+            self.types[machine, name] = type_
+        assert self.types.get((machine, name), type_) == type_, "a type that the birth did not tell"
+        if fields.get(7):
+            return name, None
+        return name, {8: lambda: fields[11][0], 10: lambda: struct.unpack("<d", fields[13][0])[0],
+                      11: lambda: bool(fields[14][0]), 12: lambda: fields[15][0].decode()}[type_]()
+
+
+def decoded(payload):
+    """Fields by number: integers, or bytes of whatever has a length or eight bytes."""
+    fields, place = {}, 0
+
+    def integer():
+        nonlocal place
+        value = shift = 0
+        while True:
+            byte = payload[place]
+            place += 1
+            value |= (byte & 127) << shift
+            shift += 7
+            if byte < 128:
+                return value
+
+    while place < len(payload):
+        key = integer()
+        if key & 7 == 0:
+            value = integer()
+        else:
+            size = {1: lambda: 8, 2: integer, 5: lambda: 4}[key & 7]()
+            value = payload[place:place + size]
+            place += size
+        fields.setdefault(key >> 3, []).append(value)
+    return fields
+
+
+def rebirth_command():
+    name = b"Node Control/Rebirth"
+    metric = b"\x0a" + bytes([len(name)]) + name + b"\x20\x0b" + b"\x70\x01"
+    return b"\x12" + bytes([len(metric)]) + metric
 
 
 class Received:

@@ -116,6 +116,15 @@ class Subscriber:
                 return kind, self.exactly(length)
 
     def receive(self):
+        """As receive_bytes, of a payload that is text."""
+        topic, payload, retained = self.receive_bytes()
+        return topic, payload.decode(), retained
+
+    def publish(self, topic, payload):
+        """QoS 0."""
+        self.send(0x30, self.text(topic) + payload)
+
+    def receive_bytes(self):
         """Topic, payload and whether it was retained, of the next message. It is acknowledged by the next call, when
         it has been dealt with. What a broker that died had sent before is read all the same: it told the sender
         that it has it, and wrote nothing to the disk yet."""
@@ -131,4 +140,4 @@ class Subscriber:
             topic, rest = body[2:2 + size].decode(), body[2 + size:]
             if kind >> 1 & 3:
                 self.dealt_with, rest = rest[:2], rest[2:]
-            return topic, rest.decode(), bool(kind & 1)
+            return topic, rest, bool(kind & 1)
