@@ -21,7 +21,8 @@ constexpr double shallow_turn = 10.0 * std::numbers::pi / 180.0;
 // A corner whose intersection lies closer than this (mm) to the arc about it is tangential.
 constexpr double tangential_overshoot = 1e-10;
 
-// Within this of half a turn the path turns back: there is an outside on both sides of it.
+// Within this of half a turn the path turns back: there is an outside on both sides of it, unless
+// an arc bends away there.
 constexpr double turn_back = 1e-6;
 
 double direction(PlanePoint p) {
@@ -37,6 +38,19 @@ PlanePoint tangent_at(const PlaneElement& arc, PlanePoint point) {
 
 double parallel_radius(const PlaneElement& arc, double radius, double offset) {
   return arc.counter_clockwise ? radius - offset : radius + offset;
+}
+
+// Positive to the left, 1/mm.
+double curvature(const PlaneElement& element) {
+  if (!element.arc) return 0.0;
+  const double value = 1.0 / norm(element.start - element.centre);
+  return element.counter_clockwise ? value : -value;
+}
+
+// Where the path turns back: whether what goes away from the corner bends, seen from what came, to
+// the side of the tool, so that the tool stands between both.
+bool encloses_tool(const PlaneElement& before, const PlaneElement& after, double offset) {
+  return (curvature(before) + curvature(after)) * offset < 0.0;
 }
 
 // Angle travelled on `arc` from the direction of `from` to that of `to`, (-pi, pi].
@@ -195,7 +209,10 @@ Corner corner_between(const PlaneElement& before, const PlaneElement& after, dou
   corner.start_after = before.end + offset * left_of(outgoing);
   corner.turn = std::atan2(cross(incoming, outgoing), dot(incoming, outgoing));
   const bool back = std::abs(corner.turn) > std::numbers::pi - turn_back;
-  if (back) corner.turn = offset > 0.0 ? -std::numbers::pi : std::numbers::pi;
+  if (back) {
+    const bool inwards = encloses_tool(before, after, offset);
+    corner.turn = (offset > 0.0) == inwards ? std::numbers::pi : -std::numbers::pi;
+  }
   const bool outside = corner.turn * offset <= 0.0;
   const bool lines = !before.arc && !after.arc;
   const double overshoot =
