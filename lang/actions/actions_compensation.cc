@@ -155,11 +155,13 @@ void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
   for (const Code* const code : codes) {
     if (!block.failed()) refuse(block, *code, active);
   }
-  if (active.before && block.has('T') && block.channel.kind == ChannelKind::lathe) {
+  // T beside G40: the contour ends, then the tool changes, then the move leads away.
+  if (active.before && active.after && block.has('T') && block.channel.kind == ChannelKind::lathe) {
     block
         .fail("E4141", {'T', -1, {}}, "the tool cannot change while radius compensation is active",
               "T changes the tool at once")
         .notes.push_back(block.modal.origin_of(Group::radius_compensation));
+    block.faults.first->help.emplace_back("switch it off with `G40` before or in this block");
   }
   if (block.failed() || codes.has(Group::motion)) return;
   const Code* const motion = find_code('G', block.modal.code(Group::motion));

@@ -38,6 +38,11 @@ bool is_arc(const Command& command, const Move& move) {
   return move.kind == MoveKind::arc || std::holds_alternative<SplineMove>(command.payload);
 }
 
+bool changes_coordinates(const Command& command) {
+  return std::holds_alternative<ToolLength>(command.payload) ||
+         std::holds_alternative<FrameChange>(command.payload);
+}
+
 // Travel of an element in mm.
 double length_of(const PlaneElement& element) {
   return element.arc ? element.sweep * norm(element.start - element.centre) : extent(element);
@@ -71,6 +76,7 @@ StageResult CompensationStage::select(const RadiusCompensation& wanted, const Ax
     selected_ = wanted;
     const bool stands_off = norm(deviation_) > same_point;
     state_ = stands_off ? State::leaving : State::off;
+    coordinates_changed_ = false;
     return fault;
   }
   if (wanted.radius_mm == 0.0) {
@@ -86,6 +92,7 @@ StageResult CompensationStage::select(const RadiusCompensation& wanted, const Ax
   programmed_W_ = start_W;
   emitted_ = start_W;
   state_ = State::armed;
+  coordinates_changed_ = false;
   return std::nullopt;
 }
 
@@ -104,6 +111,7 @@ StageResult CompensationStage::take(Command& command) {
     return std::nullopt;
   }
   if (Move* const move = straight_or_arc(command.payload)) return take_move(command, *move);
+  if (state_ == State::leaving && changes_coordinates(command)) coordinates_changed_ = true;
   if (auto* const spline = std::get_if<SplineMove>(&command.payload)) {
     return lead_out(command, spline->base);
   }
@@ -156,7 +164,7 @@ void CompensationStage::pass_law() {
 
 bool CompensationStage::moves_in_plane(const Move& move) const {
   if (move.kind == MoveKind::arc) return true;
-  if (move.machine_coordinates) {
+  if (move.machine_coordinates || coordinates_changed_) {
     return (move.words & (axis_bit(first_) | axis_bit(second_))) != 0;
   }
   return norm(plane_point(move.end) - plane_point(programmed_W_)) > same_point;

@@ -105,6 +105,8 @@ class CompensationStage {
   AxisValues programmed_W_{};
   AxisValues emitted_{};  // end of the last move given out
   PlanePoint deviation_;  // the tool's point - the programmed one
+  // While leaving: lengths or frames have changed since, so that ends cannot be compared.
+  bool coordinates_changed_ = false;
   std::optional<Held> held_;
   std::optional<Command> law_;  // of the block whose motion comes next
   std::vector<Command> waiting_;
