@@ -175,6 +175,14 @@ void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
   if (block.has('K') && !counts_repeats(block)) cycle.lead = block.length('K');
 }
 
+// Haas: without R the level is where the tool stands before the cycle.
+void take_initial_level_for_r(ActiveBlock& block, CodeNumber kind) {
+  DrillingCycle& cycle = block.modal.cycles.drilling;
+  if (cycle.has_retract_level || !block.words.rules.is_haas() || bores_from_behind(kind)) return;
+  cycle.retract_level = cycle.initial_level;
+  cycle.has_retract_level = true;
+}
+
 void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
   const DrillingCycle& cycle = block.modal.cycles.drilling;
   const std::string name = "`" + code_text('G', code) + "`";
@@ -415,6 +423,7 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   take_variable_pecks(block, kind);
   take_return_factor(block, kind);
   take_shift(block, kind);
+  take_initial_level_for_r(block, kind);
   check_cycle(block, code, kind);
   if (block.failed()) return;
   const auto repeats = repeats_of(block, kind);
