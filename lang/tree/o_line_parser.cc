@@ -70,14 +70,23 @@ bool OLineParser::read_label(std::size_t& at, OLineAhead& line) const {
   return !line.label.empty();
 }
 
-// The O-line that begins here, without reading it; nothing when it has a computed label.
-std::optional<OLineParser::OLineAhead> OLineParser::o_line_ahead() const {
+// The O-line that begins here, without reading it; nothing when it has a computed label, or not the
+// block skip before it.
+std::optional<OLineParser::OLineAhead> OLineParser::o_line_ahead(int skip_level) const {
   std::size_t at = 0;
   const auto character = [&] { return scanner_.character(at); };
   const auto skip_blanks = [&] {
     while (is_blank(character())) ++at;
   };
-  if (upper_case(character()) == 'N' && is_digit(scanner_.character(1))) {
+  if (skip_level != 0) {
+    if (character() != '/') return std::nullopt;
+    ++at;
+    const int level = is_digit(character()) && character() != '0' ? character() - '0' : 1;
+    if (level != skip_level) return std::nullopt;
+    if (is_digit(character())) ++at;
+    skip_blanks();
+  }
+  if (upper_case(character()) == 'N' && is_digit(scanner_.character(at + 1))) {
     for (++at; is_digit(character()) || character() == '.';) ++at;
     skip_blanks();
   }
@@ -105,7 +114,7 @@ void OLineParser::take_second_word(OLineAhead& line) const {
   line.length = at;
 }
 
-MaybeStatement OLineParser::parse_o_line() {
+MaybeStatement OLineParser::parse_o_line(int skip_level) {
   cursor_.set_line_ends(LineEnds::significant);
   cursor_.begin_operators();
   const auto ahead = o_line_ahead();
@@ -115,7 +124,7 @@ MaybeStatement OLineParser::parse_o_line() {
   const Span line_span = scanner_.here(static_cast<std::uint32_t>(ahead->length));
   if (ahead->keyword.empty()) return parse_program_number(*ahead, label_span);
   scanner_.advance(ahead->length);
-  OpenOLine open{ahead->label, ahead->keyword, line_span};
+  const OpenOLine open{ahead->label, ahead->keyword, line_span, skip_level};
   const std::string_view keyword = open.keyword;
   if (keyword == "call") return parse_o_call({ahead->label, ahead->written, {}, label_span});
   if (keyword == "sub") return parse_o_sub(open, {ahead->label, ahead->written, {}, label_span});
@@ -241,7 +250,7 @@ MaybeStatement OLineParser::parse_o_if(const OpenOLine& open) {
       return std::nullopt;
     }
     ++cursor_.depth().else_ifs;
-    auto other = parse_o_if({open.label, *end, open.span});
+    auto other = parse_o_if({open.label, *end, open.span, open.skip_level});
     --cursor_.depth().else_ifs;
     if (!other) return std::nullopt;
     other->span = open.span;
@@ -303,13 +312,26 @@ std::optional<std::string> OLineParser::parse_o_body(const OpenOLine& open,
   }
   --cursor_.depth().o_lines;
   cursor_.set_line_ends(LineEnds::significant);
+  if (end && open.skip_level != 0) check_skipped_body(open, body);
   return end;
+}
+
+// Behind a skipped opening line all lines are skipped.
+void OLineParser::check_skipped_body(const OpenOLine& open, const StatementList& body) {
+  for (const Statement& statement : body) {
+    if (statement.skip_level == open.skip_level) continue;
+    reporter_
+        .error("E2005", statement.span, "a line without `/` between skipped O-lines",
+               "would run without `" + open.text() + "`")
+        .help.push_back("put `/` before all lines up to the one that closes, or before none");
+    return;
+  }
 }
 
 // The keyword of the O-line that stands here when it ends what is open; a wrong one is reported.
 std::optional<std::string> OLineParser::take_o_end(const OpenOLine& open,
                                                    const std::vector<std::string_view>& ends) {
-  const auto ahead = o_line_ahead();
+  const auto ahead = o_line_ahead(open.skip_level);
   if (!ahead) return std::nullopt;
   const bool same = ahead->label == open.label;
   const bool ends_this = same && std::find(ends.begin(), ends.end(), ahead->keyword) != ends.end();

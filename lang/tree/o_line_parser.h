@@ -30,7 +30,8 @@ class OLineParser {
         reporter_(cursor.reporter()),
         scanner_(cursor.scanner()) {}
 
-  MaybeStatement parse_o_line();
+  // `skip_level` of the block skip before it, 0: none.
+  MaybeStatement parse_o_line(int skip_level);
 
  private:
   struct OLineAhead {
@@ -46,11 +47,13 @@ class OLineParser {
     std::string label;
     std::string keyword;
     Span span;
+    int skip_level = 0;
 
     [[nodiscard]] std::string text() const { return "O" + label + " " + keyword; }
   };
   bool read_label(std::size_t& at, OLineAhead& line) const;
-  std::optional<OLineAhead> o_line_ahead() const;
+  std::optional<OLineAhead> o_line_ahead(int skip_level = 0) const;
+  void check_skipped_body(const OpenOLine& open, const StatementList& body);
   MaybeStatement parse_program_number(const OLineAhead& line, const Span& span);
   MaybeStatement parse_computed_call();
   MaybeStatement parse_o_call(OLabel label);

@@ -38,6 +38,13 @@ bool is_high_level(const Statement& statement) {
          !std::holds_alternative<NumberedProgram>(statement.kind);
 }
 
+bool is_branch_or_loop(const Statement& statement) {
+  return std::holds_alternative<If>(statement.kind) ||
+         std::holds_alternative<While>(statement.kind) ||
+         std::holds_alternative<DoWhile>(statement.kind) ||
+         std::holds_alternative<ORepeat>(statement.kind);
+}
+
 // Without a body of other statements.
 bool is_simple(const Statement& statement) {
   return std::holds_alternative<Declaration>(statement.kind) ||
@@ -188,7 +195,8 @@ void Parser::parse_statement(StatementList& list) {
   if (number >= 0 && skip_level == 0 && cursor_.source().rules().is_fanuc())
     skip_level = take_block_skip();
   if (scanner().at_line_end()) return;
-  auto statement = parse_kind();
+  const bool begins_with_letter_o = upper_case(scanner().character()) == 'O';
+  auto statement = parse_kind(skip_level);
   if (!statement) {
     keep_faulty(list, start, line);
     return recover(start);
@@ -198,7 +206,8 @@ void Parser::parse_statement(StatementList& list) {
   statement->span = scanner().span_from(start, line);
   statement->skip_level = skip_level;
   statement->number = number;
-  if (skip_level != 0 && is_high_level(*statement)) {
+  const bool is_o_line = begins_with_letter_o && is_branch_or_loop(*statement);
+  if (skip_level != 0 && !is_o_line && is_high_level(*statement)) {
     reporter()
         .error("E2005", {start, 1, line}, "block skip before a high-level statement",
                "only ISO blocks, directives and O-lines can be skipped")
@@ -275,7 +284,7 @@ int Parser::take_block_number() {
   return number.value_or(-1);
 }
 
-MaybeStatement Parser::parse_kind() {
+MaybeStatement Parser::parse_kind(int skip_level) {
   const char c = scanner().character();
   const char next = scanner().character(1);
   if (c == '#') return is_name_start(next) ? directives_.parse_directive() : iso_.parse_iso();
@@ -284,7 +293,8 @@ MaybeStatement Parser::parse_kind() {
   const char label = scanner().character(behind);
   const bool o_line = is_digit(label) || label == '<' || label == '[' || label == '#';
   const bool program_letter = is_program_letter(c, cursor_.source().rules());
-  if (program_letter && (c == ':' ? is_digit(next) : o_line)) return o_lines_.parse_o_line();
+  if (program_letter && (c == ':' ? is_digit(next) : o_line))
+    return o_lines_.parse_o_line(skip_level);
   if (c == '{') return statements_.parse_compound();
   if (c == '[' && cursor_.source().rules().is_fanuc())
     return macro_lines_.parse_conditional_return();

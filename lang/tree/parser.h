@@ -50,7 +50,7 @@ class Parser final : private StatementReader {
   void parse_statement(StatementList& list) override;
   bool take_plain_lines(StatementList& list);
   bool pass_separator();
-  MaybeStatement parse_kind();
+  MaybeStatement parse_kind(int skip_level);
   MaybeStatement parse_named_start();
   MaybeStatement refuse_type(const std::string& name);
   int take_block_skip();

@@ -134,18 +134,38 @@ TEST_F(ControlFlow, CallsFilesAsSubprograms) {
   EXPECT_EQ(warnings[0].code, "W710");
 }
 
-TEST_F(ControlFlow, SkipsBlocksWhenToldTo) {
-  files.texts["main.nc"] = "/G0 X1\n/2 G0 X2\n/ N5 X3\nX4\nM30\n";
-  const auto program = compile("main.nc", files, &channel, warnings);
-  ASSERT_TRUE(program) << to_text(program.error().front());
-  for (const auto& [levels, count] : {std::pair{0, 4}, std::pair{2, 2}, std::pair{4, 3}}) {
+// Moves of a program with the block skip switches `levels` on: bit 1 is that of `/`.
+class SkippedBlocks : public ControlFlow {
+ protected:
+  std::size_t moves_with(const std::string& text, int levels) {
+    files.texts["main.nc"] = text;
+    const auto program = compile("main.nc", files, &channel, warnings);
+    EXPECT_TRUE(program);
+    if (!program) return 0;
     interpreter = std::make_unique<Interpreter>(channel, tables, files);
     interpreter->set_block_skip(static_cast<std::uint16_t>(levels));
     interpreter->start(*program, {});
     commands.clear();
     drain();
-    EXPECT_EQ(all<Move>().size(), static_cast<std::size_t>(count)) << levels;
+    return all<Move>().size();
   }
+};
+
+TEST_F(SkippedBlocks, AreLeftOutWhenToldSo) {
+  const std::string text = "/G0 X1\n/2 G0 X2\n/ N5 X3\nX4\nM30\n";
+  EXPECT_EQ(moves_with(text, 0), 4u);
+  EXPECT_EQ(moves_with(text, 2), 2u);
+  EXPECT_EQ(moves_with(text, 4), 3u);
+}
+
+TEST_F(SkippedBlocks, MayBeWholeLoopsAndBranchesOfOLines) {
+  const std::string text =
+      "/ o1 repeat [3]\n/ G91 G0 X1\n/ o1 endrepeat\n"
+      "/2 o2 if [1]\n/2 G0 Y1\n/2 o2 else\n/2 G0 Y2\n/2 G0 Y3\n/2 o2 endif\nG0 Z1\nM30\n";
+  EXPECT_EQ(moves_with(text, 0), 5u);
+  EXPECT_EQ(moves_with(text, 2), 2u);
+  EXPECT_EQ(moves_with(text, 4), 4u);
+  EXPECT_EQ(moves_with(text, 6), 1u);
 }
 
 TEST_F(ControlFlow, EndsTheMainProgramByM99WhereTheChannelDoesNotBeginItAgain) {
