@@ -151,10 +151,20 @@ void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   cut_passes(block, moves, thread);
 }
 
+// R has a point on Fanuc controls, too; a last cut of centimetres is one in thousandths.
+void refuse_last_cut_in_thousandths(ActiveBlock& block) {
+  const bool whole = (block.words.whole & letter_bit('R')) != 0;
+  if (block.failed() || !block.has('R') || !whole || block.value('R') < thread_depth_max) return;
+  const std::string value = std::to_string(static_cast<long long>(block.value('R')));
+  block.fail("E4016", {'R', -1, {}}, "`R` is a last cut of " + value, "thousandths?")
+      .help.push_back("write the number with its decimal point, in the units of the program");
+}
+
 // First block of the other form: it stays valid for those that follow.
 void take_thread_settings(ActiveBlock& block) {
   refuse_words_of_other_forms(block, "PQR");
   refuse_thousandths(block, 'Q', thread_depth_max / 10.0, "a smallest cut");
+  refuse_last_cut_in_thousandths(block);
   if (block.failed()) return;
   ThreadSettings& settings = block.modal.cycles.thread;
   if (block.has('P')) {

@@ -6,6 +6,7 @@
 
 #include "lang/block/block_check.h"
 #include "lang/block/predefined_parameter.h"
+#include "lang/words/code_system.h"
 
 namespace stanok::lang {
 namespace {
@@ -204,6 +205,7 @@ void IsoCompiler::check_template(const BlockTemplate& made) {
   }
   auto fault = check_block(made.words, channel_, context_.dialect);
   if (!fault) return;
+  name_codes_as_written(*fault, made.words.rules.code_system);
   Diagnostic& diagnostic = reporter_.error(fault->code, span_of(made, fault->word),
                                            std::move(fault->message), std::move(fault->label));
   diagnostic.notes = std::move(fault->notes);

@@ -56,9 +56,11 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
 }
 
 Diagnostic foreign_control(const Source& source, const Span& span, std::string_view control) {
-  Diagnostic diagnostic = diagnostic_at(
-      source, "E2042", span, "this looks like a program for a " + std::string(control) + " control",
-      "words of that control");
+  Diagnostic diagnostic = diagnostic_at(source, "E2042", span,
+                                        "this looks like a program for " +
+                                            std::string(control == "Okuma" ? "an " : "a ") +
+                                            std::string(control) + " control",
+                                        "words of that control");
   diagnostic.help.emplace_back(
       "stanok reads ISO programs; post-process the part for Fanuc, Haas or LinuxCNC");
   return diagnostic;

@@ -15,15 +15,6 @@
 namespace stanok::lang {
 namespace {
 
-// Faults name codes as they are called here; the programmer knows those of the code system.
-void name_codes_as_written(BlockFault& fault, CodeSystem system) {
-  if (system == CodeSystem::b) return;
-  fault.message = text_as_written(fault.message, system);
-  fault.label = text_as_written(fault.label, system);
-  for (Note& note : fault.notes) note.text = text_as_written(note.text, system);
-  for (std::string& help : fault.help) help = text_as_written(help, system);
-}
-
 // The words of a block, with their spans, from its tree.
 std::vector<IsoWord> places_of_words(const Source& source, const Span& block_span) {
   auto block = Parser::parse_block(source, block_span);

@@ -106,7 +106,7 @@ Step ProgramRun::next(Command& command) {
 // At the statement that would come next: the run is somewhere in its loop.
 void ProgramRun::fail_endless() {
   vm_.fail_at(vm_.next_span(), "E8005",
-              "the program computed " + std::to_string(state_.channel.bounds.steps / 1'000'000) +
+              "a loop without end: " + std::to_string(state_.channel.bounds.steps / 1'000'000) +
                   " million steps without moving, waiting or asking",
               "it was here then");
 }

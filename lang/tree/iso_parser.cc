@@ -118,6 +118,11 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
         .help.push_back("put it into brackets, e.g. `X[#1+5]`");
     return false;
   }
+  if (c == '{') {
+    reporter_.error("E2001", scanner_.here(), "a brace inside a block", "braces hold statements")
+        .help.push_back("a comment stands in parentheses, `(text)`, or behind `;`");
+    return false;
+  }
   cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a word");
   return false;
 }

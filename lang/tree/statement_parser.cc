@@ -1,6 +1,7 @@
 #include "lang/tree/statement_parser.h"
 
 #include <array>
+#include <string>
 #include <utility>
 
 #include "lang/text/limits.h"
@@ -32,7 +33,34 @@ MaybeStatement StatementParser::parse_keyword(std::string_view keyword) {
   return std::nullopt;
 }
 
+// `{ roughing }`: other controls write comments so. Words on one line, the first of two letters and
+// more and no keyword.
+bool StatementParser::refuses_remark_in_braces() {
+  std::size_t length = 1;
+  const auto character = [&] { return scanner_.character(length); };
+  const auto skip_blanks = [&] {
+    while (is_blank(character())) ++length;
+  };
+  skip_blanks();
+  bool any = false;
+  for (; character() != '}' || !any; skip_blanks()) {
+    std::string word;
+    for (; is_letter(character()); ++length) word += lower_case(character());
+    if (word.size() < (any ? 1U : 2U) || (!any && is_keyword(word))) return false;
+    while (is_name_part(character()) || character() == '.' || character() == ',') ++length;
+    any = true;
+  }
+  ++length;
+  reporter_
+      .error("E2001", scanner_.here(static_cast<std::uint32_t>(length)),
+             "braces hold statements, not a comment", "a text")
+      .help.push_back("a comment stands in parentheses, `(text)`, or behind `;`");
+  scanner_.advance(length);
+  return true;
+}
+
 MaybeStatement StatementParser::parse_compound() {
+  if (refuses_remark_in_braces()) return std::nullopt;
   auto body = bodies_.parse_body("compound");
   if (!body) return std::nullopt;
   return statement_of(Compound{std::move(*body)});

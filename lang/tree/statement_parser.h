@@ -31,6 +31,7 @@ class StatementParser {
   MaybeStatement parse_simple();
 
  private:
+  [[nodiscard]] bool refuses_remark_in_braces();
   MaybeStatement parse_if();
   MaybeStatement parse_while();
   MaybeStatement parse_do();

@@ -102,6 +102,14 @@ std::string text_as_written(std::string_view text, CodeSystem system) {
   return result;
 }
 
+void name_codes_as_written(BlockFault& fault, CodeSystem system) {
+  if (system == CodeSystem::b) return;
+  fault.message = text_as_written(fault.message, system);
+  fault.label = text_as_written(fault.label, system);
+  for (Note& note : fault.notes) note.text = text_as_written(note.text, system);
+  for (std::string& help : fault.help) help = text_as_written(help, system);
+}
+
 bool translate_codes(CodeList& codes, CodeSystem system) {
   for (std::size_t i = 0; i < codes.count; ++i) {
     const auto here = translated_code(codes.numbers[i], system);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "lang/contract/dialect.h"
+#include "lang/words/block_fault.h"
 #include "lang/words/block_words.h"
 
 namespace stanok::lang {
@@ -21,6 +22,9 @@ namespace stanok::lang {
 // A message that names codes by their names here, with those that the programmer knows: "`G77`
 // needs X and Z" is "`G90` needs X and Z" in system A.
 [[nodiscard]] std::string text_as_written(std::string_view text, CodeSystem system);
+
+// The same for all texts of a fault.
+void name_codes_as_written(BlockFault& fault, CodeSystem system);
 
 // Translates all codes of a block; false when one does not exist in the system.
 [[nodiscard]] bool translate_codes(CodeList& codes, CodeSystem system);
