@@ -66,6 +66,14 @@ struct Ending {
   std::string text;  // of the alarm
 };
 
+// A text that is refused when it is loaded raises no alarm: who asked for the run is told.
+Ending refused_load(const MachineBench& bench) {
+  for (const channels::OperatorReply& reply : bench.replies()) {
+    if (!reply.ok) return {"", "E7005", std::string(reply.text.view())};
+  }
+  return {};
+}
+
 Ending run(MachineKind kind, const std::string& program, Choices& choices) {
   const channels::MachineConfig machine = machine_of(kind);
   MachineBench bench(machine);
@@ -81,6 +89,7 @@ Ending run(MachineKind kind, const std::string& program, Choices& choices) {
     if (bench.machine().waits_for_operator() &&
         bench.channel(1).state != channels::ChannelState::held) {
       const auto alarms = bench.machine().alarms();
+      if (alarms.empty() && !has_begun) return refused_load(bench);
       if (alarms.empty()) return {};
       const Diagnostic& last = alarms.back().diagnostic;
       return {"", last.code, last.message};

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "tests/support/chain/shop_program.h"
+
 namespace stanok::testing {
 namespace {
 
@@ -380,6 +382,8 @@ double ChoicesOfBytes::between(double low, double high) {
 }
 
 std::string random_program(MachineKind machine, Choices& choices) {
+  if (machine != MachineKind::five_axes && choices.chance(0.35))
+    return random_shop_program(machine, choices);
   return Writer(machine, choices).write();
 }
 
