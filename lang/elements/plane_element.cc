@@ -125,7 +125,8 @@ Points intersections(const PlaneElement& before, const PlaneElement& after, doub
                          before.arc ? radius_before : radius_after);
 }
 
-// The intersection that takes the least from both elements: the first one the tool comes to.
+// The intersection that takes the least from both elements: the first one the tool comes to. Of two
+// as far from the corner, where the path turns back, the one on the programmed parts of the arcs.
 Corner inner_corner(const PlaneElement& before, const PlaneElement& after, double offset,
                     Corner corner) {
   corner.kind = CornerKind::none;
@@ -138,7 +139,10 @@ Corner inner_corner(const PlaneElement& before, const PlaneElement& after, doubl
     if (cut_before < -cut_noise || cut_after < -cut_noise) continue;
     const PlanePoint away = point - before.end;
     const double removed = dot(away, away);
-    if (corner.kind == CornerKind::joint && removed >= least) continue;
+    const bool as_far = std::abs(removed - least) <= same_point * (1.0 + least);
+    const bool worse =
+        as_far ? cut_before + cut_after >= corner.cut_before + corner.cut_after : removed > least;
+    if (corner.kind == CornerKind::joint && worse) continue;
     least = removed;
     corner.kind = CornerKind::joint;
     corner.end_before = point;

@@ -23,5 +23,33 @@ G1 Y-5
 ; expect: line X12 Y-5 F100
 G40 Y-20
 ; expect: line X10 Y-20 F100
+; Two circles of radius 10 that touch at X10 Y0: the tool stands between them above, where circles of
+; radius 12 about X0 and X20 meet, at Y = sqrt (12^2 - 10^2); from the right the same.
+X-10
+; expect: line X-10 F100
+G41.1 D4 Y-10
+; expect: line X-12 Y-10 F100
+Y0
+; expect: line X-12 Y0 F100
+G2 X10 Y0 I10
+; expect: arc cw xy centre 0,0 X10 Y6.633249581 F100
+G2 X30 Y0 I10
+; expect: arc cw xy centre 20,0 X32 Y0 F100
+G1 Y-10
+; expect: line X32 Y-10 F100
+G40 Y-20
+; expect: line X30 Y-20 F100
+G42.1 D4 Y-10
+; expect: line X32 Y-10 F100
+Y0
+; expect: line X32 Y0 F100
+G3 X10 Y0 I-10
+; expect: arc ccw xy centre 20,0 X10 Y6.633249581 F100
+G3 X-10 Y0 I-10
+; expect: arc ccw xy centre 0,0 X-12 Y0 F100
+G1 Y-10
+; expect: line X-12 Y-10 F100
+G40 Y-20
+; expect: line X-10 Y-20 F100
 M30
 ; expect: end and rewind

@@ -2,8 +2,8 @@
 // feed laws, frames and modes, and moves that are tiny or none at all.
 //
 // Whatever decides comes through Choices: a seeded generator, or the bytes of a fuzzer. Programs
-// stay well within the travel of the machines of MachineBench; not all of them are right. A third of
-// those for the mill with three axes and the lathe are programs of shops (shop_program.h).
+// stay well within the travel of the machines of MachineBench; not all of them are right. A third
+// of those for the mill with three axes and the lathe are programs of shops (shop_program.h).
 #pragma once
 
 #include <cstddef>
