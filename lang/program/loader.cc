@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lang/program/engraving.h"
 #include "lang/text/foreign_control.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
@@ -190,6 +191,7 @@ void Loader::parse(FileIndex index) {
   };
   Parser parser(source, reporter, std::move(context));
   StatementList tree = parser.parse_program();
+  if (source.rules().is_haas()) make_engravings(tree, reporter);
   loaded_[index].tree = std::move(tree);
   list_definitions(loaded_[index]);
   tell_foreign_control(index);

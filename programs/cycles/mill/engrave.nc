@@ -61,7 +61,9 @@ string engrave_strokes (string letter) {
 }
 
 // From the corner at (`from_x`, `from_y`), its X and Y along the line of text: one letter.
-void engrave_letter (string strokes, num from_x, num from_y, num scale, num angle, num at_z) {
+// `feed` and `plunge` 0: the feed that is active.
+void engrave_letter (string strokes, num from_x, num from_y, num scale, num angle, num at_z,
+                     num feed, num plunge) {
   num height = $prog_pos[Z];
   bool is_down = false;
   for (num idx = 0; idx < len (strokes); idx += 2) {
@@ -75,9 +77,11 @@ void engrave_letter (string strokes, num from_x, num from_y, num scale, num angl
     num to_x = from_x + along*cos (angle) - up*sin (angle);
     num to_y = from_y + along*sin (angle) + up*cos (angle);
     if (is_down) {
+      if (feed > 0) { F=feed }
       G1 X=to_x Y=to_y
     } else {
       G0 X=to_x Y=to_y
+      if (plunge > 0) { F=plunge }
       G1 Z=at_z
       is_down = true;
     }
@@ -86,10 +90,12 @@ void engrave_letter (string strokes, num from_x, num from_y, num scale, num angl
 }
 
 // `text` in letters of `height`, down to `at_z`, in the direction `angle`. The lower left corner of
-// the first letter is where the tool stands, which ends where the next one would begin.
-void engrave (string text, num height, num at_z, num angle = 0) {
+// the first letter is where the tool stands, which ends where the next one would begin. `feed` along
+// the strokes, `plunge` into the material; 0: the feed that is active.
+void engrave (string text, num height, num at_z, num angle = 0, num feed = 0, num plunge = 0) {
   M73
   if (height <= 0) { terminate (4403, "the height of letters must be above 0"); }
+  if (plunge > 0 && feed <= 0) { terminate (4403, "a feed for plunging needs one along the strokes"); }
   for (num idx = 0; idx < len (text); idx++) { engrave_strokes (upper (substr (text, idx, 1))); }
   G90 G17
   num from_x = $prog_pos[X], from_y = $prog_pos[Y];
@@ -97,8 +103,19 @@ void engrave (string text, num height, num at_z, num angle = 0) {
     string strokes = engrave_strokes (upper (substr (text, idx, 1)));
     if (len (strokes) > 0) {
       engrave_letter (strokes, from_x + idx*height*cos (angle), from_y + idx*height*sin (angle),
-                      height/6, angle, at_z);
+                      height/6, angle, at_z, feed, plunge);
     }
   }
   G0 X=from_x+len(text)*height*cos(angle) Y=from_y+len(text)*height*sin(angle)
+}
+
+// G47 of Haas programs: `text` from at_x, at_y on, with the tool at `retract` between strokes.
+void engrave_block (string text, num at_x, num at_y, num angle, num height, num retract, num at_z,
+                    num feed, num plunge) {
+  M73
+  G90
+  if ($prog_pos[Z] < retract) { G0 Z=retract }
+  G0 X=at_x Y=at_y
+  if ($prog_pos[Z] > retract) { G0 Z=retract }
+  engrave (text, height, at_z, angle, feed, plunge > 0 ? plunge : feed);
 }
