@@ -1,4 +1,5 @@
 // Actions of straight motion, and the parts that all motions share.
+#include <bit>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -33,8 +34,9 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
 }
 
 // I, J, K beside G0 and G1 are the direction of the tool at the end of the move under G43.5, and
-// nothing elsewhere. A move at feed turns the tool on the great circle, in parts; rapid travel, and
-// a line that a chamfer or rounding cuts, turn the axes evenly. None: the block has failed.
+// nothing elsewhere. A move at feed turns the tool on the great circle, in parts; rapid travel, a
+// line that a chamfer or rounding cuts, and all under #orientation (axis) turn the axes evenly.
+// None: the block has failed.
 std::vector<TurnedPart> turn_to_vector(ActiveBlock& block, Move& move) {
   const ModalState& modal = block.modal;
   const char letter = block.has('I') ? 'I' : block.has('J') ? 'J' : 'K';
@@ -53,11 +55,14 @@ std::vector<TurnedPart> turn_to_vector(ActiveBlock& block, Move& move) {
   if (!direction) return {};
   const Rotation frame_B = modal.frames.work_offset_rotation * modal.frames.plane.rotation;
   OrientationWish wish{.word = {letter, -1, {}},
+                       .name = "a tool vector under `G43.5`",
                        .purpose = "turn the tool to",
                        .said_by = Group::length,
-                       .remedy = "clamp the workpiece otherwise, or lean the tool less"};
+                       .remedy = "clamp the workpiece otherwise, or lean the tool less",
+                       .end = "this tool vector"};
   wish.tool_B = components(frame_B.turned(vector3(*direction)));
-  const bool turns_evenly = move.kind == MoveKind::rapid || block.end.corner.wanted();
+  const bool turns_evenly = move.kind == MoveKind::rapid || block.end.corner.wanted() ||
+                            modal.tool.turning == TurningWay::axis;
   std::vector<TurnedPart> parts;
   if (turns_evenly) {
     if (const auto found = reachable_angles(block, wish)) parts.push_back({1.0, *found});
@@ -75,6 +80,29 @@ std::vector<TurnedPart> turn_to_vector(ActiveBlock& block, Move& move) {
   }
   turn_axes(block, end, move);
   return parts;
+}
+
+// Under #orientation (vector) a line at feed with words of rotary axes leads the tool on the great
+// circle, too, to the angles of the words. None: the axes move evenly, or the block has failed.
+std::vector<TurnedPart> turn_to_angles(ActiveBlock& block, Move& move) {
+  const ModalState& modal = block.modal;
+  if (modal.tool.turning != TurningWay::vector || !leads_tip(modal.code(Group::length))) return {};
+  if (move.kind == MoveKind::rapid || block.end.corner.wanted()) return {};
+  const AxisSet turned = move.words & ~block.channel_words.linear_axes();
+  if (turned == 0) return {};
+  const AxisValues end_B = modal.frame().base_from_work(move.end);
+  const auto first = static_cast<std::size_t>(std::countr_zero(turned));
+  OrientationWish wish{.word = {block.channel.axes[first].word.front(), -1, {}},
+                       .name = "a move on the great circle",
+                       .tool_B = block.tables.spindle_axes(end_B)[2],
+                       .purpose = "turn the tool to",
+                       .said_by = Group::length,
+                       .remedy = "let the axes move evenly with `#orientation (axis)`",
+                       .end = "these angles"};
+  auto parts = great_circle(block, wish, end_B);
+  if (!parts) return {};
+  move.words = static_cast<AxisSet>(move.words | parts->back().alignment.axes);
+  return std::move(*parts);
 }
 
 // The parts of a move but the last one, which is what remains of `move`.
@@ -196,8 +224,8 @@ void move_straight(ActiveBlock& block, CodeNumber code) {
   Move move;
   move.kind = code == g(0) ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);
-  std::vector<TurnedPart> parts;
-  if (has_vector) parts = turn_to_vector(block, move);
+  std::vector<TurnedPart> parts =
+      has_vector ? turn_to_vector(block, move) : turn_to_angles(block, move);
   if (block.failed()) return;
   resolve_feed(block, move);
   if (block.failed()) return;

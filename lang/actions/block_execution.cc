@@ -273,6 +273,16 @@ void execute_block(ActiveBlock& block) {
   run_actions(block, codes);
 }
 
+namespace {
+
+// A move that turns rotary axes does more than go there.
+bool turns_specially(const ActiveBlock& block) {
+  return (block.programmed & ~block.channel_words.linear_axes()) != 0 &&
+         block.modal.tool.turning == TurningWay::vector;
+}
+
+}  // namespace
+
 bool execute_simple_move(ActiveBlock& block, Move& move) {
   const BlockWords& words = block.words;
   CodeNumber motion = block.modal.code(Group::motion);
@@ -292,7 +302,7 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   }
   collect_axis_words(block);
   refuse_axes_that_are_spindles(block);
-  if (block.failed()) return false;
+  if (block.failed() || turns_specially(block)) return false;
   move = {};
   move.kind = motion == g(0) ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);

@@ -23,6 +23,7 @@ void restore_modal(ActiveBlock& block, const ModalState& saved) {
     if (modal.code(group) != saved.code(group)) block.set_modal(group, saved.code(group));
   }
   modal.path = saved.path;
+  modal.tool.turning = saved.tool.turning;
   if (modal.frames.work_offset_number != saved.frames.work_offset_number) {
     restore_work_offset(block, saved);
     block.set_modal(Group::work_offset, saved.code(Group::work_offset));

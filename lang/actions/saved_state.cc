@@ -21,13 +21,15 @@ namespace {
 constexpr std::string_view version = "GV1";
 
 // Where a value stands in the modal state.
-using Member = std::variant<
-    bool ModalFeed::*, double ModalFeed::*, FeedLaw ModalFeed::*, bool ModalSpindles::*,
-    int ModalSpindles::*, double ModalSpindles::*, bool ModalSwitches::*, int ModalTool::*,
-    double ModalTool::*, int ToolLength::*, std::array<double, 3> ToolLength::*,
-    bool FrameSettings::*, int FrameSettings::*, AxisValues FrameSettings::*,
-    double ProgrammedRotation::*, std::array<double, 3> ProgrammedRotation::*, bool TiltedPlane::*,
-    std::array<double, 3> TiltedPlane::*, double PathControl::*, CoordinateMap ModalState::*>;
+using Member =
+    std::variant<bool ModalFeed::*, double ModalFeed::*, FeedLaw ModalFeed::*,
+                 bool ModalSpindles::*, int ModalSpindles::*, double ModalSpindles::*,
+                 bool ModalSwitches::*, int ModalTool::*, double ModalTool::*,
+                 TurningWay ModalTool::*, int ToolLength::*, std::array<double, 3> ToolLength::*,
+                 bool FrameSettings::*, int FrameSettings::*, AxisValues FrameSettings::*,
+                 double ProgrammedRotation::*, std::array<double, 3> ProgrammedRotation::*,
+                 bool TiltedPlane::*, std::array<double, 3> TiltedPlane::*, double PathControl::*,
+                 CoordinateMap ModalState::*>;
 
 struct Field {
   StateParts part;
@@ -39,6 +41,7 @@ const auto fields = std::to_array<Field>({
     {state_modal, "work_offset", &FrameSettings::work_offset_number},
     {state_modal, "tolerance", &PathControl::tolerance_mm},
     {state_modal, "straightening", &PathControl::straightening_mm},
+    {state_modal, "orientation", &ModalTool::turning},
     {state_modal, "feed_override", &ModalSwitches::feed_override},
     {state_modal, "spindle_override", &ModalSwitches::spindle_override},
     {state_feed, "known", &ModalFeed::known},
@@ -127,6 +130,9 @@ std::string list_text(std::span<const double> numbers) {
   return text;
 }
 
+template <class Type>
+constexpr bool is_number = std::is_arithmetic_v<Type> || std::is_enum_v<Type>;
+
 template <class Owner>
 Owner& owner(ModalState& state) {
   return std::get<Owner&>(std::tie(state, state.feed, state.spindles, state.switches, state.tool,
@@ -138,7 +144,7 @@ std::string value_text(ModalState& state, const Member& member) {
   return std::visit(
       [&]<class Owner, class Type>(Type Owner::* at) -> std::string {
         const Type& value = owner<Owner>(state).*at;
-        if constexpr (std::is_arithmetic_v<Type>) {
+        if constexpr (is_number<Type>) {
           return number_text(static_cast<double>(value));
         } else if constexpr (std::is_same_v<Type, CoordinateMap>) {
           return list_text(value.numbers());
@@ -171,7 +177,7 @@ bool read_value(std::string_view text, ModalState& state, const Member& member) 
   return std::visit(
       [&]<class Owner, class Type>(Type Owner::* at) {
         Type& value = owner<Owner>(state).*at;
-        if constexpr (std::is_arithmetic_v<Type>) {
+        if constexpr (is_number<Type>) {
           double number = 0.0;
           if (!read_list(text, {&number, 1}) || std::abs(number) > 1e12) return false;
           value = static_cast<Type>(number);
@@ -264,6 +270,7 @@ void complete(ModalState& state) {
 bool is_plausible(const ModalState& state) {
   const bool turned = state.code(Group::rotation) == g(68);
   if (turned && state.frames.rotation.axis == std::array<double, 3>{}) return false;
+  if (state.tool.turning > TurningWay::axis) return false;
   return state.tool.overhang_axis >= -1 && state.tool.overhang_axis < axes_max;
 }
 

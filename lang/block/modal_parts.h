@@ -13,6 +13,7 @@
 #include "lang/block/work_frame.h"
 #include "lang/contract/code_number.h"
 #include "lang/contract/command.h"
+#include "lang/contract/tool_alignment.h"
 #include "lang/planes/tilted_plane.h"
 
 namespace stanok::lang {
@@ -193,6 +194,7 @@ struct ModalTool {
   // #tool_overhang: what it adds to the programmed position of its axis.
   int overhang_axis = -1;
   double overhang_shift_mm = 0.0;
+  TurningWay turning = TurningWay::of_code;
 };
 
 // What cycles leave to the next block of their sequence.

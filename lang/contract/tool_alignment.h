@@ -18,6 +18,13 @@ using Direction = std::array<double, 3>;
 // to the slides or to the bed.
 enum class FirstRotary : std::uint8_t { nearest, positive, negative };
 
+// How the tool turns in a move at feed that inclines it (#orientation).
+enum class TurningWay : std::uint8_t {
+  of_code,  // G43.4: the rotary axes move evenly; G43.5: on the great circle
+  vector,   // on the great circle
+  axis,     // the rotary axes move evenly
+};
+
 struct AlignmentWish {
   Direction tool_B{0.0, 0.0, 1.0};
   AxisValues from_B{};  // where the axes stand

@@ -32,8 +32,10 @@ class Circle {
   [[nodiscard]] bool has_plane() const {
     return angle_ > plane_least_rad && angle_ < std::numbers::pi - plane_least_rad;
   }
+  // Both ends are one direction, which the tool keeps.
+  [[nodiscard]] bool is_point() const { return angle_ <= plane_least_rad; }
   [[nodiscard]] Vector3<double> at(double part) const {
-    if (part >= 1.0) return to_;
+    if (part >= 1.0 || is_point()) return to_;
     return (from_ * std::sin((1.0 - part) * angle_) + to_ * std::sin(part * angle_)) /
            std::sin(angle_);
   }
@@ -63,21 +65,23 @@ double farthest(const ActiveBlock& block, const Circle& circle, double part0,
 }
 
 void fail_on_the_way(ActiveBlock& block, const OrientationWish& wish) {
-  BlockFault& fault = block.fail(
-      "E4354", wish.word,
-      "on the way to this tool vector the rotary axes would have to turn to their other position",
-      "out of reach on the way");
+  BlockFault& fault = block.fail("E4354", wish.word,
+                                 "on the way to " + std::string(wish.end) +
+                                     " the rotary axes would have to turn to their other position",
+                                 "out of reach on the way");
   fault.notes.push_back(block.modal.origin_of(wish.said_by));
   fault.help.emplace_back(
       "retract the tool and turn it by a move of G0, or clamp the workpiece otherwise");
 }
 
-}  // namespace
-
-std::optional<std::vector<TurnedPart>> great_circle(ActiveBlock& block,
-                                                    const OrientationWish& wish) {
+// The parts of a way along the circle, from where the block begins; at `end_B`, where it is given,
+// the last one ends.
+std::optional<std::vector<TurnedPart>> parts_of_circle(ActiveBlock& block,
+                                                       const OrientationWish& wish,
+                                                       const AxisValues* end_B) {
   AxisValues from_B = block.modal.frame().base_from_work(block.modal.position_W);
   const Circle circle(block.tables.spindle_axes(from_B)[2], wish.tool_B);
+  const bool is_followed = circle.has_plane() || (circle.is_point() && end_B != nullptr);
   std::vector<TurnedPart> parts;
   double done = 0.0;
   double step = 1.0;
@@ -85,10 +89,11 @@ std::optional<std::vector<TurnedPart>> great_circle(ActiveBlock& block,
     const double part = std::min(1.0, done + step);
     OrientationWish there = wish;
     if (circle.has_plane()) there.tool_B = components(circle.at(part));
-    const auto found = reachable_angles(block, there, from_B);
+    auto found = reachable_angles(block, there, from_B);
     if (!found) return std::nullopt;
+    if (part >= 1.0 && end_B != nullptr) found->angles_B = *end_B;
     const double off =
-        circle.has_plane() ? farthest(block, circle, done, from_B, part, found->angles_B) : 0.0;
+        is_followed ? farthest(block, circle, done, from_B, part, found->angles_B) : 0.0;
     if (off > tolerance_rad) {
       step *= 0.5;
       if (step >= shortest_part) continue;
@@ -101,6 +106,18 @@ std::optional<std::vector<TurnedPart>> great_circle(ActiveBlock& block,
     done = part;
   }
   return parts;
+}
+
+}  // namespace
+
+std::optional<std::vector<TurnedPart>> great_circle(ActiveBlock& block,
+                                                    const OrientationWish& wish) {
+  return parts_of_circle(block, wish, nullptr);
+}
+
+std::optional<std::vector<TurnedPart>> great_circle(ActiveBlock& block, const OrientationWish& wish,
+                                                    const AxisValues& end_B) {
+  return parts_of_circle(block, wish, &end_B);
 }
 
 }  // namespace stanok::lang

@@ -27,5 +27,9 @@ struct TurnedPart {
 // the axes would have to change to their other branch on the way.
 [[nodiscard]] std::optional<std::vector<TurnedPart>> great_circle(ActiveBlock& block,
                                                                   const OrientationWish& wish);
+// The same to where the axes stand at `end_B`, at whose angles the last part ends.
+[[nodiscard]] std::optional<std::vector<TurnedPart>> great_circle(ActiveBlock& block,
+                                                                  const OrientationWish& wish,
+                                                                  const AxisValues& end_B);
 
 }  // namespace stanok::lang

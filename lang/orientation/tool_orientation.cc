@@ -21,15 +21,15 @@ std::string direction_text(const Direction& direction) {
   return text;
 }
 
-std::string name_of_word(const WordName& word) {
-  return word.letter == 'G' ? "`" + code_text('G', static_cast<CodeNumber>(word.code)) + "`"
-                            : "a tool vector under `G43.5`";
+std::string name_of(const OrientationWish& wish) {
+  if (!wish.name.empty()) return std::string(wish.name);
+  return "`" + code_text('G', static_cast<CodeNumber>(wish.word.code)) + "`";
 }
 
 void fail_without_axes(ActiveBlock& block, const OrientationWish& wish) {
   block
       .fail("E4353", wish.word,
-            name_of_word(wish.word) +
+            name_of(wish) +
                 " has no rotary axes to turn: the kinematic scheme has none that incline the "
                 "tool",
             "no such axes")
@@ -53,7 +53,7 @@ std::string hindrance(const ActiveBlock& block, const Alignment& found) {
 void fail_out_of_reach(ActiveBlock& block, const OrientationWish& wish, const Alignment& found) {
   BlockFault& fault =
       block.fail("E4354", wish.word,
-                 name_of_word(wish.word) + " cannot " + std::string(wish.purpose) + " " +
+                 name_of(wish) + " cannot " + std::string(wish.purpose) + " " +
                      direction_text(wish.tool_B) + " of the table: " + hindrance(block, found),
                  "out of reach");
   fault.notes.push_back(block.modal.origin_of(wish.said_by));

@@ -80,6 +80,7 @@ enum class Op : std::uint8_t {
   tool_overhang,      // (value axis -> ), `count` of them are there: 0, 1 or 2
   feed_law,           // (array... -> ), `count` of them: 0 no law, else a curve
   adaptive,           // (number... -> ), `count` of them: ForceControl::Kind `extra`
+  orientation,        // TurningWay `extra`
   workpiece,          // (number... -> ): extra 0 the workpiece, 1 its position
   read_shared,        // (index... -> value): shared[operand], `count` indices
   write_shared,       // (index... value -> )

@@ -31,6 +31,11 @@ void DirectiveCompiler::compile(const AdaptiveDirective& directive) {
              static_cast<std::uint16_t>(directive.kind));
 }
 
+void DirectiveCompiler::compile(const OrientationDirective& directive) {
+  code_.emit(Op::orientation, code_.statement_span(), 0, 0,
+             static_cast<std::uint16_t>(directive.way));
+}
+
 void DirectiveCompiler::compile(const FeedLawDirective& directive) {
   for (const Expression& array : directive.arguments) {
     const ValueType type = expressions_.compile_expression(array);

@@ -1,4 +1,5 @@
-// Code of directives: #kinematics, #workpiece, #tool_overhang, #feedlaw, #adaptive.
+// Code of directives: #kinematics, #workpiece, #tool_overhang, #feedlaw, #adaptive,
+// #orientation.
 //
 // Owner: Compiler.
 #pragma once
@@ -25,6 +26,7 @@ class DirectiveCompiler {
   void compile(const ToolOverhangDirective& directive);
   void compile(const FeedLawDirective& directive);
   void compile(const AdaptiveDirective& directive);
+  void compile(const OrientationDirective& directive);
 
  private:
   void note_dispatch(int channel, const Expression& scheme);

@@ -57,6 +57,9 @@ bool BlockDirectives::execute(const Instruction& instruction) {
     case Op::tool_overhang:
       ask_overhang(instruction);
       return true;
+    case Op::orientation:
+      state_.modal.tool.turning = static_cast<TurningWay>(instruction.extra);
+      return true;
     case Op::workpiece:
       announce_workpiece(instruction);
       return true;

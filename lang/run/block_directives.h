@@ -1,5 +1,6 @@
 // Instructions that act like a block without being one: messages, #feedlaw, #adaptive,
-// #tool_overhang, #workpiece, and the saved state of save_gvector and restore_gvector.
+// #tool_overhang, #orientation, #workpiece, and the saved state of save_gvector and
+// restore_gvector.
 //
 // Owner: ProgramRun, on the thread of the preparation. Owns nothing. Invariant: what changes the
 // modal state while the axes may still move is asked first and done with the answer (finish_...).

@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto directives =
     std::to_array<std::string_view>({"include", "kinematics", "workpiece", "workpiece_pos",
-                                     "feedlaw", "tool_overhang", "adaptive"});
+                                     "feedlaw", "tool_overhang", "adaptive", "orientation"});
 
 using ForceKind = ForceControl::Kind;
 
@@ -55,6 +55,7 @@ MaybeStatement DirectiveParser::parse_directive() {
   if (wanted == "tool_overhang") return parse_tool_overhang(span);
   if (wanted == "feedlaw") return parse_feed_law(span);
   if (wanted == "adaptive") return parse_adaptive(span);
+  if (wanted == "orientation") return parse_orientation();
   Diagnostic& diagnostic = reporter_.error(
       "E2010", span, "unknown directive `#" + std::string(name) + "`", "no such directive");
   const std::string_view nearest = nearest_name(name, {directives.begin(), directives.end()});
@@ -179,6 +180,27 @@ MaybeStatement DirectiveParser::parse_adaptive(const Span& name) {
         .help.push_back("write " + std::string(form->example));
     return std::nullopt;
   }
+  Statement statement;
+  statement.kind = std::move(directive);
+  return statement;
+}
+
+// #orientation (vector), (axis) or ()
+MaybeStatement DirectiveParser::parse_orientation() {
+  cursor_.set_line_ends(LineEnds::significant);
+  if (!cursor_.expect("(", "`#orientation`")) return std::nullopt;
+  OrientationDirective directive;
+  if (!cursor_.accept(")")) {
+    const Token word = scanner_.take(cursor_.line_ends());
+    const std::string way = word.kind == TokenKind::name ? folded(word.text) : std::string();
+    if (way != "vector" && way != "axis") {
+      cursor_.report_unexpected(word, "`vector` or `axis`");
+      return std::nullopt;
+    }
+    directive.way = way == "vector" ? TurningWay::vector : TurningWay::axis;
+    if (!cursor_.expect(")", "what `#orientation` takes")) return std::nullopt;
+  }
+  if (!cursor_.finish_line()) return std::nullopt;
   Statement statement;
   statement.kind = std::move(directive);
   return statement;

@@ -41,6 +41,7 @@ class DirectiveParser {
   MaybeStatement parse_workpiece(WorkpieceForm form, const Span& name);
   MaybeStatement parse_tool_overhang(const Span& name);
   MaybeStatement parse_adaptive(const Span& name);
+  MaybeStatement parse_orientation();
   bool parse_vibration_switch(AdaptiveDirective& directive);
 
   // directive_parser_feed_law.cc

@@ -35,6 +35,7 @@ bool is_high_level(const Statement& statement) {
          !std::holds_alternative<KinematicsDirective>(statement.kind) &&
          !std::holds_alternative<FeedLawDirective>(statement.kind) &&
          !std::holds_alternative<AdaptiveDirective>(statement.kind) &&
+         !std::holds_alternative<OrientationDirective>(statement.kind) &&
          !std::holds_alternative<NumberedProgram>(statement.kind);
 }
 

@@ -152,6 +152,9 @@ struct AdaptiveDirective {
   ForceControl::Kind kind = ForceControl::Kind::off;
   std::vector<Expression> arguments;
 };
+struct OrientationDirective {
+  TurningWay way = TurningWay::of_code;
+};
 struct NumberedProgram {
   int number = 0;
 };
@@ -273,10 +276,10 @@ struct Statement {
   int skip_level = 0;  // 1..9: leading /
   int number = -1;     // N of the block; -1: none
   std::variant<PlainLines, IsoBlock, IncludeDirective, KinematicsDirective, WorkpieceDirective,
-               ToolOverhangDirective, FeedLawDirective, AdaptiveDirective, NumberedProgram,
-               Declaration, Assignment, CallStatement, Compound, If, While, DoWhile, For, Switch,
-               Break, Continue, Return, FunctionDefinition, OSubprogram, OCall, OReturn, ORepeat,
-               FaultyText, JumpLine>
+               ToolOverhangDirective, FeedLawDirective, AdaptiveDirective, OrientationDirective,
+               NumberedProgram, Declaration, Assignment, CallStatement, Compound, If, While,
+               DoWhile, For, Switch, Break, Continue, Return, FunctionDefinition, OSubprogram,
+               OCall, OReturn, ORepeat, FaultyText, JumpLine>
       kind;
 };
 

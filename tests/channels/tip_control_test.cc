@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
@@ -97,6 +100,112 @@ TEST(TipControl, PosesRoundThePoleKeepTheLimitsAndTheTolerance) {
   EXPECT_LE(off, 0.01);
   EXPECT_LE(share, 1.0 + 1e-9);
 }
+
+using Direction = std::array<double, 3>;
+
+// The head turns the tool by B about Y, the table turns the part by C about Z under it: seen from
+// the part the tool points to Rz(C)^T Ry(B) z.
+Direction tool_of(double b_deg, double c_deg) {
+  const double b = b_deg * std::numbers::pi / 180.0;
+  const double c = c_deg * std::numbers::pi / 180.0;
+  return {std::sin(b) * std::cos(c), -std::sin(b) * std::sin(c), std::cos(b)};
+}
+
+double dot(const Direction& one, const Direction& other) {
+  return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
+}
+
+Direction normal_of(const Direction& one, const Direction& other) {
+  const Direction product{one[1] * other[2] - one[2] * other[1],
+                          one[2] * other[0] - one[0] * other[2],
+                          one[0] * other[1] - one[1] * other[0]};
+  const double length = std::sqrt(dot(product, product));
+  return {product[0] / length, product[1] / length, product[2] / length};
+}
+
+// How a move from B10 C-20 to B40 C70 turns the tool.
+struct Turning {
+  double off_circle_deg = 0.0;  // from the plane of both directions
+  double off_even = 0.0;        // of B and C from the part of the way that X has gone
+  double off_line = 0.0;        // of the tip, mm
+  double share = 0.0;           // of the limits
+  double b_deg = 0.0;           // where it ends
+  double c_deg = 0.0;
+};
+
+Turning turning_of(const std::string& directive, const std::string& length_code,
+                   const std::string& end) {
+  MachineBench bench;
+  bench.program("p.nc", "#kinematics (2, 1)\nG0 X50 Y20 Z50 B0 C0\n" + directive + "\n" +
+                            length_code + " H0\nG0 X-40 Y10 Z0\nG0 B10 C-20\nG1 X40 Y10 " + end +
+                            " F3000\nM0\nM30\n");
+  bench.run(1, "p.nc");
+  const Direction normal = normal_of(tool_of(10.0, -20.0), tool_of(40.0, 70.0));
+  Turning turning;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    turning.share = std::max(turning.share, share_of_limits(channel));
+    if (channel.tag.line != 7) return;
+    const TipPosition tip = tip_of(channel);
+    turning.b_deg = channel.axes[3].position;
+    turning.c_deg = channel.axes[4].position;
+    turning.off_line = std::max(turning.off_line, std::hypot(tip.y - 10.0, tip.z));
+    const double gone = (tip.x + 40.0) / 80.0;
+    turning.off_even = std::max({turning.off_even, std::abs((turning.b_deg - 10.0) / 30.0 - gone),
+                                 std::abs((turning.c_deg + 20.0) / 90.0 - gone)});
+    const double off = std::asin(dot(tool_of(turning.b_deg, turning.c_deg), normal));
+    turning.off_circle_deg =
+        std::max(turning.off_circle_deg, std::abs(off) * 180.0 / std::numbers::pi);
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  return turning;
+}
+
+std::string vector_words(const Direction& direction) {
+  char text[96];
+  std::snprintf(text, sizeof text, "I%.15f J%.15f K%.15f", direction[0], direction[1],
+                direction[2]);
+  return text;
+}
+
+struct TurningCase {
+  const char* name;
+  const char* directive;
+  const char* length_code;
+  bool by_vector;  // the end of the move is said by I, J, K
+  bool on_circle;  // else the axes move evenly
+};
+
+class TurningWays : public ::testing::TestWithParam<TurningCase> {};
+
+TEST_P(TurningWays, AreThoseOfOrientation) {
+  const auto& [name, directive, length_code, by_vector, on_circle] = GetParam();
+  const std::string end = by_vector ? vector_words(tool_of(40.0, 70.0)) : "B40 C70";
+  const Turning turning = turning_of(directive, length_code, end);
+  EXPECT_NEAR(turning.b_deg, 40.0, 1e-9);
+  EXPECT_NEAR(turning.c_deg, 70.0, 1e-9);
+  EXPECT_LT(turning.off_line, 1e-9);
+  EXPECT_LE(turning.share, 1.0 + 1e-9);
+  if (on_circle) {
+    // 0.005 deg by the division of the move, and what smooths the joints of its parts.
+    EXPECT_LE(turning.off_circle_deg, 0.006);
+    EXPECT_GT(turning.off_even, 0.02);
+  } else {
+    EXPECT_LE(turning.off_even, 1e-9);
+    EXPECT_GT(turning.off_circle_deg, 3.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfOrientation, TurningWays,
+    ::testing::Values(
+        TurningCase{"angles", "", "G43.4", false, false},
+        TurningCase{"angles_on_circle", "#orientation (vector)", "G43.4", false, true},
+        TurningCase{"angles_evenly", "#orientation (axis)", "G43.4", false, false},
+        TurningCase{"vectors", "", "G43.5", true, true},
+        TurningCase{"vectors_on_circle", "#orientation (vector)", "G43.5", true, true},
+        TurningCase{"vectors_evenly", "#orientation (axis)", "G43.5", true, false}),
+    [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace stanok::channels

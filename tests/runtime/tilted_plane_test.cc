@@ -260,6 +260,37 @@ TEST_P(ThreePlanes, AndBetweenVectorsTheToolGoesOnTheGreatCircle) {
   EXPECT_GT(most_off_deg, 0.0001);
 }
 
+// The angles of the same directions, under #orientation (vector): the same ways, to the programmed
+// angles. Where a part of a move ends the tool is in the plane of both directions within 1e-9.
+TEST_P(ThreePlanes, AndAnglesOnTheGreatCircleAreItsVectors) {
+  const channels::MachineConfig machine = machine_called(GetParam().machine);
+  const VectorProgram vectors = random_vectors(GetParam(), 22);
+  std::string text = "T2 M6\nS1000 M3\nG54 G0 X0 Y0 Z90\nG43.4 H2\n#orientation (vector)\n";
+  const std::string rotary = machine.name == "trunnion" ? "AC" : "BC";
+  for (std::size_t n = 0; n < vectors.wanted.size(); ++n) {
+    const motion::Point& axes = vectors.parts[n].back().tip_B;
+    char angles[96];
+    std::snprintf(angles, sizeof angles, " %c%.13f %c%.13f F300\n", rotary[0], axes[3], rotary[1],
+                  axes[4]);
+    text += "G1" + words(vectors.wanted[n].first) + angles;
+  }
+  const auto ends = feed_ends(machine, text + "G49\nM30\n", GetParam().scheme);
+  std::size_t at = 0;
+  for (std::size_t n = 0; n < vectors.wanted.size(); ++n) {
+    const Point normal =
+        n == 0 ? Point::Zero()
+               : Point(vectors.wanted[n - 1].second.cross(vectors.wanted[n].second).normalized());
+    for (const FeedEnd& part : vectors.parts[n]) {
+      ASSERT_LT(at, ends.size());
+      EXPECT_LT(std::abs(ends[at].tool_B.dot(normal)), 1e-9) << "move " << n;
+      for (std::size_t axis = 0; axis < 5; ++axis)
+        EXPECT_NEAR(ends[at].axes_M[axis], part.axes_M[axis], 1e-9) << "move " << n;
+      ++at;
+    }
+  }
+  EXPECT_EQ(at, ends.size());
+}
+
 INSTANTIATE_TEST_SUITE_P(Machines, ThreePlanes,
                          ::testing::Values(PlaneMachine{"table_table", "trunnion.toml", -1},
                                            PlaneMachine{"head_table", "e7106mf4.toml", 2}),
@@ -317,6 +348,21 @@ TEST(TiltedPlaneOnMachine, RefusesAVectorWithTheOtherBranchOnTheWay) {
   EXPECT_EQ(found[0].place.line, 6);
   EXPECT_NE(found[0].message.find("other position"), std::string::npos) << found[0].message;
   EXPECT_TRUE(checked_plane("trunnion.toml", program + "G0" + move).empty());
+}
+
+// A20 C180 leans the tool as A-20 C0 does, but is another position of the axes than the one in which
+// the circle from A-30 C0 ends.
+TEST(TiltedPlaneOnMachine, RefusesAnglesThatLeaveTheGreatCircle) {
+  const std::string program =
+      "T2 M6\nS1000 M3\nG54 G0 X0 Y0 Z90\nG43.4 H2\nG0 A-30 C0 Z30\n#orientation (vector)\n";
+  const Diagnostics found =
+      checked_plane("trunnion.toml", program + "G1 X10 A20 C180 F500\nG49\nM30\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "E4354");
+  EXPECT_EQ(found[0].place.line, 7);
+  EXPECT_TRUE(
+      checked_plane("trunnion.toml", program + "#orientation (axis)\nG1 X10 A20 C180 F500\nG49\nM30\n")
+          .empty());
 }
 
 TEST(TiltedPlaneOnMachine, NeedsASchemeThatInclinesTheTool) {

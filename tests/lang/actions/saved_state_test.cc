@@ -57,6 +57,7 @@ class SavedStates : public ProgramTest {
     for (double& shift : state.frames.axis_shift) shift = number();
     state.tool.overhang_axis = std::uniform_int_distribution<int>(-1, axes_max - 1)(random);
     state.tool.overhang_shift_mm = number();
+    state.tool.turning = static_cast<TurningWay>(std::uniform_int_distribution(0, 2)(random));
     state.set(Group::spindle_mode, chance() ? 960 : 970, 0);
     state.spindles.cutting_speed_m_per_min = number();
     state.spindles.speed_limit_rev_per_min = number();
@@ -87,6 +88,7 @@ TEST_F(SavedStates, AreTheSameAfterTheirText) {
     EXPECT_EQ(read->state.frames.local_shift, state.frames.local_shift);
     EXPECT_EQ(read->state.frames.axis_shift, state.frames.axis_shift);
     EXPECT_EQ(read->state.frames.axis_shift_active, state.frames.axis_shift_active);
+    EXPECT_EQ(read->state.tool.turning, state.tool.turning);
     EXPECT_EQ(read->state.switches.mist, state.switches.mist);
     EXPECT_EQ(read->state.frames.rotation.rotation, state.frames.rotation.rotation);
     EXPECT_EQ(read->state.map.numbers(), state.map.numbers());

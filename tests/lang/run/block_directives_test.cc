@@ -35,6 +35,12 @@ TEST_F(BlockDirectivesTest, AnOverhangIsInForceWithTheAnswerOnly) {
   EXPECT_EQ(state.modal.tool.overhang_axis, 0);
 }
 
+TEST_F(BlockDirectivesTest, TheWayOfTheToolIsModal) {
+  execute("#orientation (vector)\n");
+  EXPECT_EQ(state.modal.tool.turning, TurningWay::vector);
+  EXPECT_TRUE(state.queue.empty());
+}
+
 TEST_F(BlockDirectivesTest, ForceControlNeedsItsSensor) {
   execute("#adaptive (off)\n");
   EXPECT_EQ(run.error().code, "E6060");
