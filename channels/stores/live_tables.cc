@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/visit_in_cycle.h"
+#include "kinematics/carried_point.h"
 
 namespace stanok::channels {
 namespace {
@@ -419,6 +420,12 @@ lang::Alignment ChannelTables::alignment(const lang::AlignmentWish& wish) const 
   answer.needed_deg = choice.needed_deg + scheme_zero_[choice.axis];
   answer.limit_deg = choice.limit_deg + scheme_zero_[choice.axis];
   return answer;
+}
+
+std::optional<lang::AxisValues> ChannelTables::carried_by_table(
+    const lang::AxisValues& point_B, const lang::AxisValues& position_B) const {
+  if (scheme_ == nullptr) return std::nullopt;
+  return kinematics::carried_point(*scheme_, point_B, position_B);
 }
 
 std::array<lang::Direction, 3> ChannelTables::spindle_axes(

@@ -178,6 +178,8 @@ class ChannelTables final : public lang::Tables {
   [[nodiscard]] lang::AxisSet axes_of_scheme() const override { return axes_of_scheme_; }
 
   [[nodiscard]] lang::Alignment alignment(const lang::AlignmentWish& wish) const override;
+  [[nodiscard]] std::optional<lang::AxisValues> carried_by_table(
+      const lang::AxisValues& point_B, const lang::AxisValues& position_B) const override;
   [[nodiscard]] std::array<lang::Direction, 3> spindle_axes(
       const lang::AxisValues& position_B) const override;
 

@@ -100,6 +100,13 @@ void restore_overhang(ActiveBlock& block, const ModalState& saved);
 [[nodiscard]] FrameChange frame_of(const ModalState& modal);
 // Makes work offset `number` of the tables the active one, as far as it exists there.
 void take_work_offset(ModalState& modal, const Tables& tables, int number);
+// The same for axes that stand at `position_B`, or will: where a table carries the offset (G54.2).
+void take_work_offset(ModalState& modal, const Tables& tables, int number,
+                      const AxisValues& position_B);
+// Under G54.2 the work offset goes where the table has carried it, or will with the axes at
+// `position_B`; the point stays where it is in B.
+void follow_table(ActiveBlock& block);
+void follow_table(ActiveBlock& block, const AxisValues& position_B);
 // Tells the channel the frame after a change; the point stays where it is in B.
 void publish_frame(ActiveBlock& block, const WorkFrame& before, int work_offset_before);
 void publish_frame(ActiveBlock& block, const WorkFrame& before);

@@ -59,8 +59,8 @@ bool mirrors(const ActiveBlock& block) {
 
 // Codes that only confirm what is active change nothing.
 bool confirms(const ActiveBlock& block, const Code& code) {
-  const bool has_value =
-      code.number == g(54, 1) || code.group == Group::rotation || code.group == Group::length;
+  const bool has_value = code.number == g(54, 1) || code.number == g(54, 2) ||
+                         code.group == Group::rotation || code.group == Group::length;
   const bool off = code.number == g(49) || code.number == g(69);
   return code.group != Group::none && block.modal.code(code.group) == code.number &&
          (!has_value || off);

@@ -8,10 +8,18 @@ namespace stanok::lang {
 namespace {
 
 constexpr int first_extended_offset = 10;  // G54.1 P1
+constexpr int work_offset_last = 309;
 
 // Index of the work offset that a code selects: 1 = G54 ... 9 = G59.3.
 int offset_number(CodeNumber code) {
   return code <= g(59) ? (code - g(54)) / 10 + 1 : 6 + (code - g(59));
+}
+
+// The code that selects a work offset.
+CodeNumber code_of_offset(int number) {
+  constexpr int last_of_g59 = 6;
+  if (number >= first_extended_offset) return g(54, 1);
+  return number <= last_of_g59 ? g(53 + number) : g(59, number - last_of_g59);
 }
 
 }  // namespace
@@ -22,8 +30,17 @@ FrameChange frame_of(const ModalState& modal) {
 }
 
 void take_work_offset(ModalState& modal, const Tables& tables, int number) {
+  take_work_offset(modal, tables, number, modal.frame().base_from_work(modal.position_W));
+}
+
+void take_work_offset(ModalState& modal, const Tables& tables, int number,
+                      const AxisValues& position_B) {
   modal.frames.work_offset_number = number;
   modal.frames.work_offset = tables.work_offset(number).value_or(modal.frames.work_offset);
+  if (modal.frames.is_carried) {
+    modal.frames.work_offset = tables.carried_by_table(modal.frames.work_offset, position_B)
+                                   .value_or(modal.frames.work_offset);
+  }
   modal.frames.work_offset_rotation =
       Rotation::about({0.0, 0.0, 1.0}, tables.work_offset_rotation(number));
 }
@@ -43,6 +60,7 @@ void publish_frame(ActiveBlock& block, const WorkFrame& before) {
 void restore_work_offset(ActiveBlock& block, const ModalState& saved) {
   const WorkFrame before = block.modal.frame();
   const int number_before = block.modal.frames.work_offset_number;
+  block.modal.frames.is_carried = saved.frames.is_carried;
   take_work_offset(block.modal, block.tables, saved.frames.work_offset_number);
   publish_frame(block, before, number_before);
 }
@@ -85,8 +103,72 @@ void select_work_offset(ActiveBlock& block, CodeNumber code) {
   }
   const WorkFrame before = block.modal.frame();
   const int number_before = block.modal.frames.work_offset_number;
+  block.modal.frames.is_carried = false;
   take_work_offset(block.modal, block.tables, number);
   publish_frame(block, before, number_before);
+}
+
+// G54.2 P: work offset P, carried by the rotary table; P0: the active one, where its table has it.
+void carry_work_offset(ActiveBlock& block, CodeNumber code) {
+  if (excluded_by_mode(block, code,
+                       {Exclusion::radius_compensation, Exclusion::tcp, Exclusion::transformation,
+                        Exclusion::tilted_plane, Exclusion::drilling_cycle})) {
+    return;
+  }
+  if (!block.has('P')) {
+    block.fail("E4007", code_word(code), "`G54.2` needs P, the work offset", "no P");
+    return;
+  }
+  const auto page = block.integer('P', 0, work_offset_last);
+  if (!page) return;
+  if (*page != 0 && block.words.rules.is_fanuc()) {
+    block
+        .fail("E4016", {'P', -1, {}}, "`G54.2 P` of Fanuc controls takes a table of fixtures",
+              "another table there")
+        .help.emplace_back(
+            "write what the table says into a work offset, and let that be carried in a text of "
+            "the "
+            "dialect stanok: there P is the work offset");
+    return;
+  }
+  FrameSettings& frames = block.modal.frames;
+  const int number = *page == 0 ? frames.work_offset_number : *page;
+  const auto offset = block.tables.work_offset(number);
+  if (!offset) {
+    block.fail("E5001", {'P', -1, {}}, "there is no work offset " + std::to_string(number),
+               "unknown work offset");
+    return;
+  }
+  if (*page != 0 && !block.tables.carried_by_table(*offset, *offset)) {
+    block
+        .fail("E4353", code_word(code),
+              "`G54.2` has no rotary table to carry the work offset: the kinematic scheme has none",
+              "no such table")
+        .help.emplace_back(
+            "load a scheme of the types head_table or table_table with `#kinematics`");
+    return;
+  }
+  const WorkFrame before = block.modal.frame();
+  const int number_before = frames.work_offset_number;
+  frames.is_carried = *page != 0;
+  take_work_offset(block.modal, block.tables, number);
+  publish_frame(block, before, number_before);
+  if (*page != 0) return;
+  block.kept_groups |= group_bit(Group::work_offset);
+  block.set_modal(Group::work_offset, code_of_offset(number));
+}
+
+void follow_table(ActiveBlock& block) {
+  follow_table(block, block.modal.frame().base_from_work(block.modal.position_W));
+}
+
+void follow_table(ActiveBlock& block, const AxisValues& position_B) {
+  if (!block.modal.frames.is_carried) return;
+  const WorkFrame before = block.modal.frame();
+  take_work_offset(block.modal, block.tables, block.modal.frames.work_offset_number, position_B);
+  if (block.modal.frame() == before) return;
+  if (excluded_by_mode(block, g(54, 2), {Exclusion::radius_compensation})) return;
+  publish_frame(block, before);
 }
 
 void shift_locally(ActiveBlock& block, CodeNumber) {

@@ -192,6 +192,7 @@ void use_tool_offset(ActiveBlock& block, int tool, int edge) {
 }
 
 void compensate_length(ActiveBlock& block, CodeNumber code) {
+  if (leads_tip(code) && excluded_by_mode(block, code, {Exclusion::carried_offset})) return;
   if (code == g(49)) return change_length(block, ToolLength{});
   if (code == g(43, 1)) return set_by_axis_words(block);
   if (code == g(43, 2) && !block.has('H')) {

@@ -105,6 +105,17 @@ std::vector<TurnedPart> turn_to_angles(ActiveBlock& block, Move& move) {
   return std::move(*parts);
 }
 
+// G54.2: the move ends where the table, turned by it, will have carried the work offset. A
+// coordinate that is not programmed stays what it is, so that its axis follows the table.
+void end_on_carried_offset(ActiveBlock& block, Move& move) {
+  if (!block.modal.frames.is_carried || move.machine_coordinates) return;
+  follow_table(block, block.modal.frame().base_from_work(move.end));
+  for (const AxisIndex axis : block.modal.geometry) {
+    if (axis.exists() && std::abs(move.end[axis] - block.modal.position_W[axis]) > position_noise)
+      move.words = static_cast<AxisSet>(move.words | axis_bit(axis));
+  }
+}
+
 // The parts of a move but the last one, which is what remains of `move`.
 void emit_parts(ActiveBlock& block, const std::vector<TurnedPart>& parts, Move& move) {
   const Move whole = move;
@@ -224,6 +235,7 @@ void move_straight(ActiveBlock& block, CodeNumber code) {
   Move move;
   move.kind = code == g(0) ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);
+  end_on_carried_offset(block, move);
   std::vector<TurnedPart> parts =
       has_vector ? turn_to_vector(block, move) : turn_to_angles(block, move);
   if (block.failed()) return;

@@ -222,10 +222,10 @@ TiltedPlane on_top_of(const TiltedPlane& below, const TiltedPlane& upper) {
 }
 
 bool may_tilt(ActiveBlock& block, CodeNumber code) {
-  if (excluded_by_mode(
-          block, code,
-          {Exclusion::radius_compensation, Exclusion::transformation, Exclusion::drilling_cycle,
-           Exclusion::own_rotation, Exclusion::scaling, Exclusion::mirror})) {
+  if (excluded_by_mode(block, code,
+                       {Exclusion::radius_compensation, Exclusion::transformation,
+                        Exclusion::drilling_cycle, Exclusion::own_rotation, Exclusion::scaling,
+                        Exclusion::mirror, Exclusion::carried_offset})) {
     return false;
   }
   AxisSet geometry = 0;

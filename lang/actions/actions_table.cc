@@ -82,7 +82,8 @@ void write_work_offset(ActiveBlock& block) {
 // In a turned system a coordinate along one of its axes lies along several axes of the base: each
 // of them whose offset changes is written.
 void write_work_offset_here(ActiveBlock& block) {
-  if (excluded_by_mode(block, g(10), {Exclusion::transformation})) return;
+  if (excluded_by_mode(block, g(10), {Exclusion::transformation, Exclusion::carried_offset}))
+    return;
   const auto page = table_page(block);
   if (!page) return;
   ModalState there = block.modal;
@@ -153,7 +154,9 @@ void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
     fault.help.emplace_back("write the length with `G10 L1 P1 Z120.5`, the radius with `L1` and R");
     return;
   }
-  if (excluded_by_mode(block, g(10), {Exclusion::tcp, Exclusion::transformation})) return;
+  if (excluded_by_mode(block, g(10),
+                       {Exclusion::tcp, Exclusion::transformation, Exclusion::carried_offset}))
+    return;
   const auto tool = table_tool(block);
   if (!tool || !check_lengths(block)) return;
   WorkFrame frame = block.modal.frame();

@@ -13,9 +13,10 @@ namespace stanok::lang {
 namespace {
 
 bool excludes_transformation(ActiveBlock& block, CodeNumber code) {
-  return excluded_by_mode(block, code,
-                          {Exclusion::radius_compensation, Exclusion::tcp,
-                           Exclusion::drilling_cycle, Exclusion::rotation});
+  return excluded_by_mode(
+      block, code,
+      {Exclusion::radius_compensation, Exclusion::tcp, Exclusion::drilling_cycle,
+       Exclusion::rotation, Exclusion::carried_offset});
 }
 
 void change(ActiveBlock& block, const TransformationChange& transformation) {

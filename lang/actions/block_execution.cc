@@ -111,6 +111,17 @@ void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
   }
 }
 
+// Under G54.2 lines alone turn the table: their ends are where it will have carried the offset.
+// True: the block has failed.
+bool turns_table_otherwise(ActiveBlock& block, const BlockCodes& codes) {
+  const bool turns = (block.programmed & ~block.channel_words.linear_axes()) != 0;
+  if (!block.modal.frames.is_carried || !turns || codes.axis_user == nullptr) return false;
+  const Code& user = *codes.axis_user;
+  const bool is_other =
+      user.order == EffectOrder::motion && user.action != CodeAction::move_straight;
+  return is_other && excluded_by_mode(block, user.number, {Exclusion::carried_offset}, user.letter);
+}
+
 // Between the blocks of a plane that points or vectors give there is nothing else.
 void check_open_plane(ActiveBlock& block, const BlockCodes& codes) {
   if (!block.modal.frames.definition.is_open()) return;
@@ -220,6 +231,7 @@ void run_actions(ActiveBlock& block, BlockCodes& codes) {
 }  // namespace
 
 void execute_block(ActiveBlock& block) {
+  follow_table(block);
   BlockCodes codes;
   if (auto fault =
           resolve_codes(block.words, &block.channel.kind, block.channel_words.dialect(), codes)) {
@@ -262,7 +274,7 @@ void execute_block(ActiveBlock& block) {
   check_incremental_words(block, codes);
   check_open_curve(block, codes);
   check_open_plane(block, codes);
-  if (block.failed()) return;
+  if (turns_table_otherwise(block, codes) || block.failed()) return;
   block.flow.moves = block.programmed != 0 && codes.axis_user != nullptr &&
                      codes.axis_user->order == EffectOrder::motion;
   check_line_angle(block, codes.axis_user);
@@ -275,10 +287,11 @@ void execute_block(ActiveBlock& block) {
 
 namespace {
 
-// A move that turns rotary axes does more than go there.
+// A move that turns rotary axes may do more than go there.
 bool turns_specially(const ActiveBlock& block) {
-  return (block.programmed & ~block.channel_words.linear_axes()) != 0 &&
-         block.modal.tool.turning == TurningWay::vector;
+  return block.modal.frames.is_carried ||
+         (block.modal.tool.turning == TurningWay::vector &&
+          (block.programmed & ~block.channel_words.linear_axes()) != 0);
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ void restore_modal(ActiveBlock& block, const ModalState& saved) {
   }
   modal.path = saved.path;
   modal.tool.turning = saved.tool.turning;
-  if (modal.frames.work_offset_number != saved.frames.work_offset_number) {
+  if (modal.frames.work_offset_number != saved.frames.work_offset_number ||
+      modal.frames.is_carried != saved.frames.is_carried) {
     restore_work_offset(block, saved);
     block.set_modal(Group::work_offset, saved.code(Group::work_offset));
   }

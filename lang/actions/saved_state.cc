@@ -39,6 +39,7 @@ struct Field {
 
 const auto fields = std::to_array<Field>({
     {state_modal, "work_offset", &FrameSettings::work_offset_number},
+    {state_modal, "carried", &FrameSettings::is_carried},
     {state_modal, "tolerance", &PathControl::tolerance_mm},
     {state_modal, "straightening", &PathControl::straightening_mm},
     {state_modal, "orientation", &ModalTool::turning},

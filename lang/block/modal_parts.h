@@ -226,8 +226,9 @@ struct PolarInput {
 // Where the program has put W.
 struct FrameSettings {
   int work_offset_number = 1;     // 1 = G54
-  AxisValues work_offset{};       // of the table
+  AxisValues work_offset{};       // of the table of offsets
   Rotation work_offset_rotation;  // G10 L2 R, of the table
+  bool is_carried = false;        // G54.2: the work offset is where the rotary table has brought it
   AxisValues local_shift{};       // G52
   AxisValues axis_shift{};        // G92
   bool axis_shift_active = true;  // false after G92.2

@@ -34,6 +34,8 @@ constexpr ExcludedMode modes[] = {
     {Exclusion::scaling, Group::scaling, "the coordinates are scaled", "end it with `G50` before"},
     {Exclusion::mirror, Group::mirror, "the coordinates are mirrored",
      "end it with `G50.1` before"},
+    {Exclusion::carried_offset, Group::work_offset, "the rotary table carries the work offset",
+     "end it with `G54.2 P0` before"},
 };
 
 // The tool tip is led without G43.4, since the tool is aligned with a tilted plane.
@@ -65,6 +67,8 @@ bool is_active(const ModalState& modal, Exclusion exclusion) {
       return modal.code(Group::scaling) != g(50);
     case Exclusion::mirror:
       return modal.code(Group::mirror) != g(50, 1);
+    case Exclusion::carried_offset:
+      return modal.frames.is_carried;
   }
   return false;
 }

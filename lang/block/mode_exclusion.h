@@ -19,8 +19,9 @@ enum class Exclusion : std::uint8_t {
   rotation,      // G68, G68.2 to G68.4
   own_rotation,  // G68 alone
   tilted_plane,
-  scaling,  // G51
-  mirror,   // G51.1
+  scaling,         // G51
+  mirror,          // G51.1
+  carried_offset,  // G54.2
 };
 struct ActiveMode {
   std::string_view name;  // "TCP (RTCP) is active"

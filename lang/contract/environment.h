@@ -168,6 +168,12 @@ class Tables {
   [[nodiscard]] virtual std::array<Direction, 3> spindle_axes(const AxisValues&) const {
     return {Direction{1.0, 0.0, 0.0}, Direction{0.0, 1.0, 0.0}, Direction{0.0, 0.0, 1.0}};
   }
+  // Where a point of the rotary table, at `point_B` when the table stands at its angles, is with
+  // the table at those of `position_B`; nothing: no table of the active scheme turns.
+  [[nodiscard]] virtual std::optional<AxisValues> carried_by_table(const AxisValues&,
+                                                                   const AxisValues&) const {
+    return std::nullopt;
+  }
   // Reference point 1 (G28) to reference_point_count (G30 P4) in M, per axis of the channel.
   [[nodiscard]] virtual AxisValues reference_point(int which) const = 0;
   // #500 to #999, #3901 and #3902 of the Fanuc dialect, kept through power-off; NaN: vacant.

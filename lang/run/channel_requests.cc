@@ -139,8 +139,9 @@ void ChannelRequests::ask_value(const Instruction& instruction) {
 
 // What would mean something else under another scheme must be off.
 bool ChannelRequests::check_own_kinematics() {
-  const auto mode = active_mode(state_.modal, {Exclusion::tcp, Exclusion::transformation,
-                                               Exclusion::rotation, Exclusion::drilling_cycle});
+  const auto mode =
+      active_mode(state_.modal, {Exclusion::tcp, Exclusion::transformation, Exclusion::rotation,
+                                 Exclusion::drilling_cycle, Exclusion::carried_offset});
   if (!mode) return true;
   Diagnostic diagnostic =
       vm_.diagnostic("E5011", "the kinematic scheme cannot change while " + std::string(mode->name),

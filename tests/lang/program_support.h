@@ -107,6 +107,17 @@ class MemoryTables : public Tables {
     return {Direction{cb * cc, -cb * sc, -sb}, Direction{sc, cc, 0.0},
             Direction{sb * cc, -sb * sc, cb}};
   }
+  // The table turns about X100 Y0.
+  [[nodiscard]] std::optional<AxisValues> carried_by_table(
+      const AxisValues& point_B, const AxisValues& position_B) const override {
+    constexpr double centre = 100.0;
+    const double turn = (position_B[4] - point_B[4]) * std::atan(1.0) / 45.0;
+    const double x = point_B[0] - centre;
+    AxisValues carried = point_B;
+    carried[0] = centre + std::cos(turn) * x - std::sin(turn) * point_B[1];
+    carried[1] = std::sin(turn) * x + std::cos(turn) * point_B[1];
+    return carried;
+  }
   [[nodiscard]] double work_offset_rotation(int number) const override {
     const auto found = rotations.find(number);
     return found == rotations.end() ? 0.0 : found->second;

@@ -308,6 +308,43 @@ TEST(TiltedPlaneOnMachine, KeepsTheTipWhileItAligns) {
   EXPECT_GT(std::abs(ends[1].axes_M[3] - ends[0].axes_M[3]), 20.0);
 }
 
+// G54.2 on a trunnion: A about X through (0, 10, -600), C about Z, whose plate begins (0, -35, 40)
+// from there. The offset is measured from the middle of the plate with A and C at 0; the axes X, Y
+// and Z of the program stay those of the machine.
+TEST(TiltedPlaneOnMachine, CarriesAWorkOffsetWithTheTable) {
+  const channels::MachineConfig machine = machine_called("trunnion.toml");
+  const Point offset(30.0, -12.5, 60.0);
+  const double length = 130.0;
+  const std::array<Point, 4> points{Point(0, 0, 5), Point(12.5, 3, -1), Point(-7, 9.25, 20),
+                                    Point(4, 4, 4)};
+  const std::array<std::array<double, 2>, 4> angles{{{0, 0}, {-30, 40}, {-90, 155}, {20, -75}}};
+  std::string text =
+      "T2 M6\nS1000 M3\nG43 H2 F3000\nG10 L2 P2 X30 Y-12.5 Z60 A0 C0\nG54.2 P2\nG0 Z120\n";
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    char turn[48];
+    std::snprintf(turn, sizeof turn, "A%g C%g\n", angles[n][0], angles[n][1]);
+    text += "G0 " + std::string(turn) + "G1" + words(points[n]) + "\n";
+  }
+  text += "G1 A0 C0\n";  // X, Y and Z follow
+  const auto ends = feed_ends(machine, text + "G54.2 P0\nM30\n");
+  ASSERT_EQ(ends.size(), points.size() + 1);
+  const Point centre(0.0, 10.0, -600.0);
+  const Point plate(0.0, -35.0, 40.0);
+  for (std::size_t n = 0; n < ends.size(); ++n) {
+    const auto [a, c] = n < angles.size() ? angles[n] : angles[0];
+    const Point& point = n < points.size() ? points[n] : points.back();
+    const auto about = [](const Point& axis, double deg) {
+      return Eigen::AngleAxisd(deg / deg_of_plane, axis).toRotationMatrix();
+    };
+    const Point zero =
+        centre + about(Point::UnitX(), a) * (plate + about(Point::UnitZ(), c) * offset);
+    const Point nose = zero + point + Point(0.0, 0.0, length);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(ends[n].axes_M[k], nose[static_cast<Eigen::Index>(k)], 1e-9)
+          << "point " << n << " axis " << k;
+  }
+}
+
 Diagnostics checked_plane(const std::string& machine, const std::string& program) {
   return check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program))
       .diagnostics;
@@ -363,6 +400,13 @@ TEST(TiltedPlaneOnMachine, RefusesAnglesThatLeaveTheGreatCircle) {
   EXPECT_TRUE(
       checked_plane("trunnion.toml", program + "#orientation (axis)\nG1 X10 A20 C180 F500\nG49\nM30\n")
           .empty());
+}
+
+TEST(TiltedPlaneOnMachine, NeedsATableThatCarriesTheOffset) {
+  const Diagnostics found = checked_plane("mill5.toml", "G54\nG54.2 P1\nM30\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "E4353");
+  EXPECT_NE(found[0].message.find("table"), std::string::npos);
 }
 
 TEST(TiltedPlaneOnMachine, NeedsASchemeThatInclinesTheTool) {
