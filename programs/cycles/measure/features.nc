@@ -1,4 +1,4 @@
-// Surface, bore, boss, slot and web: where they are, and how large.
+// Surface, bore, boss, sphere, slot and web: where they are, and how large.
 //
 // Each begins above the place where the middle should be and ends there; `at_z` is the height of
 // the touches. What was found is in #<_measured_x>, .._y, .._z, #<_measured_size>, and as a
@@ -146,4 +146,41 @@ void measure_boss (num diameter, num at_z) {
   measure_begin ();
   measure_circle (MEASURE_OUTSIDE, diameter, at_z);
   measure_report ("boss", measure_told_middle () + measure_told_size ());
+}
+
+// A ball, from above: four touches about it at the height of its middle and one on its top, again
+// from the middle that was found, until that stays where it is. `top` is where its top should be.
+void measure_sphere (num diameter, num top) {
+  M73
+  measure_begin ();
+  num start[3], touch[3], middle[3] = {0, 0, top - diameter/2};
+  measure_here (start);
+  num search = #<_measure_search>*measure_mm (), moved = 0, passes = 0, size = 0, last_z = 0;
+  middle[0] = start[0];
+  middle[1] = start[1];
+  do {
+    measure_circle (MEASURE_OUTSIDE, diameter, middle[2] - measure_radius ());
+    size = #<_measured_size>;
+    last_z = middle[2];
+    middle[0] = #<_measured_x>;
+    middle[1] = #<_measured_y>;
+    measure_go (middle[0], middle[1], start[2]);
+    num to[3] = {middle[0], middle[1], top - search};
+    measure_touch (to, search, touch);
+    measure_refuse_early (touch[2] - top);
+    middle[2] = touch[2] - size/2;
+    moved = abs (middle[2] - last_z);
+    passes += 1;
+    if (passes > #<_measure_repeat>) {
+      terminate (4326, "the middle still moves by " + str (moved, 4) + " from pass to pass");
+    }
+  } while (moved > #<_measure_within>*measure_mm ());
+  measure_go (start[0], start[1], start[2]);
+  measure_keep_middle (middle, start);
+  measure_keep_size (size, diameter, MEASURE_OUTSIDE);
+  num error_z = middle[2] - (top - diameter/2);
+  #<_measured_z>=middle[2]
+  #<_measured_error_z>=error_z
+  measure_report ("sphere", measure_told_middle () + measure_told ("z", middle[2])
+                  + measure_told ("error_z", error_z) + measure_told_size ());
 }

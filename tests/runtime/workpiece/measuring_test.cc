@@ -99,6 +99,31 @@ TEST_P(MeasuredIn, BoreAndBossFromBesideTheirMiddle) {
   EXPECT_NEAR(bench.found("boss"), 50.0, 2.0 * late + 2e-4);
 }
 
+// A ball of 16 mm of which what the probe meets is exact: a pin with the round of the ball as steps
+// inside of it, the highest one flat at its top. Its middle is 8 mm below the top. The first pass
+// is 0.3 mm too high.
+TEST_P(MeasuredIn, ASphere) {
+  MeasuringBench bench;
+  std::string steps = "T2 M6\nG43\nS6000 M3\nF4000\nG0 Z5\nX-20 Y0\n";
+  for (int k = 2; k < 8; ++k) {
+    const double above = 8.0 - k;  // the middle
+    const double radius = std::sqrt(64.0 - (above + 1.0) * (above + 1.0)) + 5.0;
+    const std::string at = std::to_string(-radius);
+    steps += "G1 Z" + std::to_string(-k) + "\nX" + at + "\nG2 I" + std::to_string(radius) +
+             "\nG1 X-20\n";
+  }
+  bench.run_to_end(program("#workpiece (1, 0.1, 0, 16, 0, 20, 0, 0, 20)\n" + steps + "G0 Z30\n",
+                           "X0.4 Y-0.3\nZ6\nmeasure_sphere (15.8, 0.2);\n" +
+                               tell({"x", "y", "z", "error_x", "error_z", "size", "size_error"})));
+  EXPECT_NEAR(bench.found("x"), 0.0, late + 1e-4);
+  EXPECT_NEAR(bench.found("y"), 0.0, late + 1e-4);
+  EXPECT_NEAR(bench.found("z"), -8.0, 2.0 * late);
+  EXPECT_NEAR(bench.found("error_x"), -0.4, late + 1e-4);
+  EXPECT_NEAR(bench.found("error_z"), -0.3, 2.0 * late);
+  EXPECT_NEAR(bench.found("size"), 16.0, 2.0 * late + 2e-4);
+  EXPECT_NEAR(bench.found("size_error"), 0.2, 2.0 * late + 2e-4);
+}
+
 // A slot is the inside of a pair: between the walls of the tube along X.
 TEST_P(MeasuredIn, SlotAcrossY) {
   MeasuringBench bench;
