@@ -1,4 +1,6 @@
 // Actions of work offsets and shifts of the coordinate system.
+#include <array>
+#include <optional>
 #include <string>
 
 #include "lang/actions/actions.h"
@@ -72,6 +74,8 @@ void restore_shifts(ActiveBlock& block, const ModalState& saved) {
   block.modal.frames.axis_shift_active = saved.frames.axis_shift_active;
   block.modal.frames.rotation = saved.frames.rotation;
   block.modal.frames.plane = saved.frames.plane;
+  block.modal.frames.set_up = saved.frames.set_up;
+  block.modal.frames.set_up_angles = {};
   block.modal.map = saved.map;
   for (const Group group : {Group::rotation, Group::scaling, Group::mirror}) {
     if (block.modal.code(group) != saved.code(group)) block.set_modal(group, saved.code(group));
@@ -168,6 +172,57 @@ void follow_table(ActiveBlock& block, const AxisValues& position_B) {
   take_work_offset(block.modal, block.tables, block.modal.frames.work_offset_number, position_B);
   if (block.modal.frame() == before) return;
   if (excluded_by_mode(block, g(54, 2), {Exclusion::radius_compensation})) return;
+  publish_frame(block, before);
+}
+
+namespace {
+
+// The error that the words of G54.4 say; nothing: the block has failed.
+std::optional<SetUpError> set_up_error_of(ActiveBlock& block) {
+  const WordName word = code_word(g(54, 4));
+  const bool has_angles = (block.words.letters & letters_of("IJK")) != 0;
+  const bool says_error = block.programmed != 0 || has_angles;
+  SetUpError error;
+  if (block.has('P')) {
+    if (block.value('P') == 0.0 && !says_error) return error;
+    block.fail("E4016", {'P', -1, {}}, "`G54.4` has no table of set-up errors", "only P0 is known")
+        .help.emplace_back(
+            "write the error itself: the shift as X Y Z, the turns about them as I J K, e.g. "
+            "`G54.4 X0.2 I0.5`");
+    return std::nullopt;
+  }
+  if (!says_error) {
+    block.fail("E4007", word, "`G54.4` needs the set-up error, or P0", "no shift and no turn");
+    return std::nullopt;
+  }
+  std::array<double, 3> shift{};
+  AxisSet geometry = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const AxisIndex axis = block.modal.geometry[k];
+    geometry = static_cast<AxisSet>(geometry | axis_bit(axis));
+    if (axis.exists() && is_programmed(block, axis)) shift[k] = block.values[axis];
+  }
+  if (!only_axes(block, g(54, 4), geometry)) return std::nullopt;
+  const auto angle = [&](char letter) { return block.has(letter) ? block.value(letter) : 0.0; };
+  error.set(shift, {angle('I'), angle('J'), angle('K')});
+  return error;
+}
+
+}  // namespace
+
+// G54.4: the workpiece lies otherwise in its work offset; P0: as the program takes it to lie.
+void compensate_set_up(ActiveBlock& block, CodeNumber code) {
+  if (excluded_by_mode(
+          block, code,
+          {Exclusion::radius_compensation, Exclusion::transformation, Exclusion::tilted_plane,
+           Exclusion::drilling_cycle, Exclusion::carried_offset})) {
+    return;
+  }
+  const auto error = set_up_error_of(block);
+  if (!error) return;
+  const WorkFrame before = block.modal.frame();
+  block.modal.frames.set_up = *error;
+  block.modal.frames.set_up_angles = {};
   publish_frame(block, before);
 }
 

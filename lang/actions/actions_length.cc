@@ -10,6 +10,7 @@
 #include <string>
 
 #include "lang/actions/actions.h"
+#include "lang/orientation/set_up_angles.h"
 #include "lang/orientation/tool_orientation.h"
 
 namespace stanok::lang {
@@ -99,7 +100,7 @@ std::optional<FirstRotary> wanted_branch(ActiveBlock& block) {
 std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRotary first) {
   const ModalState& modal = block.modal;
   const bool forced = first != FirstRotary::nearest;
-  const Rotation plane_B = modal.frames.work_offset_rotation * modal.frames.plane.rotation;
+  const Rotation plane_B = modal.frames.base_rotation() * modal.frames.plane.rotation;
   OrientationWish wish{
       .word = {'G', code, {}},
       .first = first,
@@ -173,6 +174,7 @@ void align_tool(ActiveBlock& block, CodeNumber code) {
   }
   advance_position(block, *move);
   block.queue.emit(*move);
+  note_turned_tool(block);
   plane.is_aligned = true;
   follow_alignment(block);
 }

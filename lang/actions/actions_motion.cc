@@ -6,6 +6,7 @@
 
 #include "lang/actions/actions.h"
 #include "lang/orientation/great_circle.h"
+#include "lang/orientation/set_up_angles.h"
 
 namespace stanok::lang {
 namespace {
@@ -53,7 +54,7 @@ std::vector<TurnedPart> turn_to_vector(ActiveBlock& block, Move& move) {
   }
   const auto direction = vector_of_block(block);
   if (!direction) return {};
-  const Rotation frame_B = modal.frames.work_offset_rotation * modal.frames.plane.rotation;
+  const Rotation frame_B = modal.frames.base_rotation() * modal.frames.plane.rotation;
   OrientationWish wish{.word = {letter, -1, {}},
                        .name = "a tool vector under `G43.5`",
                        .purpose = "turn the tool to",
@@ -114,6 +115,14 @@ void end_on_carried_offset(ActiveBlock& block, Move& move) {
     if (axis.exists() && std::abs(move.end[axis] - block.modal.position_W[axis]) > position_noise)
       move.words = static_cast<AxisSet>(move.words | axis_bit(axis));
   }
+}
+
+// G54.4: the rotary axes go where the tool leans against the workpiece as it lies.
+void lean_as_it_lies(ActiveBlock& block, Move& move) {
+  if (!corrects_angles(block)) return;
+  const auto found = corrected_angles(block, move);
+  if (!found || !turn_axes(block, found->alignment, move)) return;
+  block.modal.frames.set_up_angles = {true, found->drawn_W, move.end};
 }
 
 // The parts of a move but the last one, which is what remains of `move`.
@@ -236,6 +245,7 @@ void move_straight(ActiveBlock& block, CodeNumber code) {
   move.kind = code == g(0) ? MoveKind::rapid : MoveKind::line;
   resolve_ends(block, move);
   end_on_carried_offset(block, move);
+  if (!has_vector) lean_as_it_lies(block, move);
   std::vector<TurnedPart> parts =
       has_vector ? turn_to_vector(block, move) : turn_to_angles(block, move);
   if (block.failed()) return;
@@ -243,6 +253,7 @@ void move_straight(ActiveBlock& block, CodeNumber code) {
   if (block.failed()) return;
   emit_parts(block, parts, move);
   advance_position(block, move);
+  if (has_vector) note_turned_tool(block);
   block.queue.emit(move);
 }
 

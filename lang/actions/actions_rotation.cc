@@ -204,7 +204,7 @@ std::optional<TiltedPlane> defined_plane(ActiveBlock& block, CodeNumber code, in
 TiltedPlane plane_of_tool(const ActiveBlock& block) {
   const ModalState& modal = block.modal;
   const auto axes_B = block.tables.spindle_axes(modal.frame().base_from_work(modal.position_W));
-  const Rotation& work = modal.frames.work_offset_rotation;
+  const Rotation work = modal.frames.base_rotation();
   const EulerAngles angles =
       euler_angles(work.turned_back(vector3(axes_B[0])), work.turned_back(vector3(axes_B[2])));
   TiltedPlane plane;

@@ -10,6 +10,7 @@
 #include "lang/corners/corner_value.h"
 #include "lang/corners/corner_words.h"
 #include "lang/corners/line_angle.h"
+#include "lang/orientation/set_up_angles.h"
 #include "lang/orientation/tool_orientation.h"
 #include "lang/words/corner_word.h"
 #include "lang/words/law_address.h"
@@ -120,6 +121,27 @@ bool turns_table_otherwise(ActiveBlock& block, const BlockCodes& codes) {
   const bool is_other =
       user.order == EffectOrder::motion && user.action != CodeAction::move_straight;
   return is_other && excluded_by_mode(block, user.number, {Exclusion::carried_offset}, user.letter);
+}
+
+// Under G54.4 with turns the control finds the angles of rotary axes for lines under G43.4 and
+// G43.5 alone. True: the block has failed.
+bool turns_against_set_up(ActiveBlock& block, const BlockCodes& codes) {
+  const FrameSettings& frames = block.modal.frames;
+  if (!frames.set_up.turns() || codes.axis_user == nullptr || block.words.g.has(g(53)))
+    return false;
+  const Code& user = *codes.axis_user;
+  if (user.order != EffectOrder::motion) return false;
+  const bool is_led = corrects_angles(block);
+  const bool turns = (block.programmed & ~block.channel_words.linear_axes()) != 0 ||
+                     (is_led && !frames.set_up_angles.are_known);
+  if (!turns || (is_led && user.action == CodeAction::move_straight)) return false;
+  block
+      .fail("E4301", {user.letter, user.number, {}},
+            "rotary axes cannot turn here while `G54.4` turns the workpiece", "not in this mode")
+      .help.emplace_back(
+          "turn them by G0 or G1 under `G43.4` or `G43.5`, which find the angles, or end `G54.4` "
+          "with P0 before");
+  return true;
 }
 
 // Between the blocks of a plane that points or vectors give there is nothing else.
@@ -274,7 +296,8 @@ void execute_block(ActiveBlock& block) {
   check_incremental_words(block, codes);
   check_open_curve(block, codes);
   check_open_plane(block, codes);
-  if (turns_table_otherwise(block, codes) || block.failed()) return;
+  if (turns_table_otherwise(block, codes) || turns_against_set_up(block, codes) || block.failed())
+    return;
   block.flow.moves = block.programmed != 0 && codes.axis_user != nullptr &&
                      codes.axis_user->order == EffectOrder::motion;
   check_line_angle(block, codes.axis_user);
@@ -289,7 +312,7 @@ namespace {
 
 // A move that turns rotary axes may do more than go there.
 bool turns_specially(const ActiveBlock& block) {
-  return block.modal.frames.is_carried ||
+  return block.modal.frames.is_carried || block.modal.frames.set_up.turns() ||
          (block.modal.tool.turning == TurningWay::vector &&
           (block.programmed & ~block.channel_words.linear_axes()) != 0);
 }

@@ -28,7 +28,8 @@ using Member =
                  TurningWay ModalTool::*, int ToolLength::*, std::array<double, 3> ToolLength::*,
                  bool FrameSettings::*, int FrameSettings::*, AxisValues FrameSettings::*,
                  double ProgrammedRotation::*, std::array<double, 3> ProgrammedRotation::*,
-                 bool TiltedPlane::*, std::array<double, 3> TiltedPlane::*, double PathControl::*,
+                 bool TiltedPlane::*, std::array<double, 3> TiltedPlane::*, bool SetUpError::*,
+                 std::array<double, 3> SetUpError::*, double PathControl::*,
                  CoordinateMap ModalState::*>;
 
 struct Field {
@@ -71,6 +72,9 @@ const auto fields = std::to_array<Field>({
     {state_frames, "plane", &TiltedPlane::angles_deg},
     {state_frames, "plane_origin", &TiltedPlane::origin},
     {state_frames, "plane_G52", &TiltedPlane::local_shift},
+    {state_frames, "set_up", &SetUpError::is_on},
+    {state_frames, "set_up_shift", &SetUpError::shift},
+    {state_frames, "set_up_angles", &SetUpError::angles_deg},
     {state_frames, "map", &ModalState::map},
     {state_coolant, "mist", &ModalSwitches::mist},
     {state_coolant, "flood", &ModalSwitches::flood},
@@ -138,7 +142,7 @@ template <class Owner>
 Owner& owner(ModalState& state) {
   return std::get<Owner&>(std::tie(state, state.feed, state.spindles, state.switches, state.tool,
                                    state.tool.length, state.frames, state.frames.rotation,
-                                   state.frames.plane, state.path));
+                                   state.frames.plane, state.frames.set_up, state.path));
 }
 
 std::string value_text(ModalState& state, const Member& member) {
@@ -262,6 +266,8 @@ void complete(ModalState& state) {
                                                : LengthMode::length;
   if (state.frames.plane.is_aligned) state.tool.length.mode = LengthMode::tip;
   state.frames.plane.rotation = rotation_of(state.frames.plane.angles_deg);
+  SetUpError& set_up = state.frames.set_up;
+  if (set_up.is_on) set_up.set(set_up.shift, set_up.angles_deg);
   if (is_turned(state)) {
     state.frames.rotation.rotation =
         Rotation::about(vector3(state.frames.rotation.axis), state.frames.rotation.angle_deg);

@@ -21,6 +21,10 @@ void ModalSpindles::stop(std::uint16_t which) {
   any_runs = running != 0;
 }
 
+Rotation FrameSettings::base_rotation() const {
+  return set_up.is_on ? work_offset_rotation * set_up.rotation : work_offset_rotation;
+}
+
 WorkFrame FrameSettings::frame(const GeometryAxes& geometry) const {
   AxisValues shift = local_shift;
   for (std::size_t i = 0; axis_shift_active && i < shift.size(); ++i) shift[i] += axis_shift[i];
@@ -39,8 +43,15 @@ WorkFrame FrameSettings::frame(const GeometryAxes& geometry) const {
   } else if (!rotation.rotation.is_identity()) {
     add(within);
   }
-  WorkFrame frame{turned(work_offset_rotation, geometry, shift),
-                  work_offset_rotation * plane.rotation * rotation.rotation, geometry};
+  const Rotation base = base_rotation();
+  WorkFrame frame{turned(base, geometry, shift), base * plane.rotation * rotation.rotation,
+                  geometry};
+  if (set_up.is_on) {
+    const auto moved = components(work_offset_rotation.turned(vector3(set_up.shift)));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (geometry[k].exists()) frame.offset[geometry[k]] += moved[k];
+    }
+  }
   for (std::size_t i = 0; i < shift.size(); ++i) frame.offset[i] += work_offset[i];
   return frame;
 }

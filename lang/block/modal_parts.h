@@ -14,6 +14,7 @@
 #include "lang/contract/code_number.h"
 #include "lang/contract/command.h"
 #include "lang/contract/tool_alignment.h"
+#include "lang/planes/set_up_error.h"
 #include "lang/planes/tilted_plane.h"
 
 namespace stanok::lang {
@@ -223,12 +224,22 @@ struct PolarInput {
   bool from_position = false;
 };
 
+// Under G54.4: the angles of the rotary axes for the workpiece as it is drawn, and where the tool
+// stands for them as it lies. W, deg.
+struct SetUpAngles {
+  bool are_known = false;
+  AxisValues drawn_W{};
+  AxisValues lying_W{};
+};
+
 // Where the program has put W.
 struct FrameSettings {
   int work_offset_number = 1;     // 1 = G54
   AxisValues work_offset{};       // of the table of offsets
   Rotation work_offset_rotation;  // G10 L2 R, of the table
   bool is_carried = false;        // G54.2: the work offset is where the rotary table has brought it
+  SetUpError set_up;              // G54.4
+  SetUpAngles set_up_angles;
   AxisValues local_shift{};       // G52
   AxisValues axis_shift{};        // G92
   bool axis_shift_active = true;  // false after G92.2
@@ -237,8 +248,10 @@ struct FrameSettings {
   ProgrammedRotation rotation;    // G68
   PolarInput polar;               // G16
 
-  // p_B = work offset + its rotation * (G52 + G92 + plane * (its G52 + G68 * p_W)), for a channel
-  // with these X, Y, Z.
+  // Of the work offset as the workpiece lies in it.
+  [[nodiscard]] Rotation base_rotation() const;
+  // p_B = work offset + its rotation * set-up error * (G52 + G92 + plane * (its G52 + G68 * p_W)),
+  // for a channel with these X, Y, Z.
   [[nodiscard]] WorkFrame frame(const GeometryAxes& geometry) const;
 };
 

@@ -60,7 +60,7 @@ struct ModalState {
     return code(Group::transformation) == g(12, 1) ? transformation.axis : -1;
   }
   // Everything between W and B:
-  // p_B = work offset - overhang + its rotation * (G52 + G92 + G68 * p_W).
+  // p_B = work offset - overhang + its rotation * (G54.4, G52 + G92 + G68 * p_W).
   [[nodiscard]] WorkFrame frame() const;
   // What an absolute word would have to say, in mm and deg, for the axis to stay where it is.
   [[nodiscard]] double programmed_position(AxisIndex axis) const {

@@ -129,6 +129,8 @@ constexpr auto code_rows = std::to_array<Code>({
       "work offset of the extended table"),
     g(542, work_offset, P::work_offset, no_axes, "P", not_master, carry_work_offset,
       "work offset carried by the rotary table"),
+    g(544, none, P::settings, axes, "PIJK", not_master, compensate_set_up,
+      "set-up error of the workpiece"),
     g(550, work_offset, P::work_offset, no_axes, "", not_master, select_work_offset,
       "work offset 2"),
     g(560, work_offset, P::work_offset, no_axes, "", not_master, select_work_offset,

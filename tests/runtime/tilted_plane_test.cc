@@ -345,6 +345,69 @@ TEST(TiltedPlaneOnMachine, CarriesAWorkOffsetWithTheTable) {
   }
 }
 
+// G54.4: the part lies shifted, and turned about X, Y and Z one after the other.
+TEST_P(ThreePlanes, AndASetUpErrorTurnsPointsAndDirections) {
+  const channels::MachineConfig machine = machine_called(GetParam().machine);
+  const auto about = [](const Point& axis, double deg) {
+    return Eigen::AngleAxisd(deg / deg_of_plane, axis).toRotationMatrix();
+  };
+  const Eigen::Matrix3d lies =
+      about(Point::UnitZ(), -1.2) * about(Point::UnitY(), 0.8) * about(Point::UnitX(), 1.5);
+  const Point shift(0.4, -0.7, 0.25);
+  const std::string head = "T2 M6\nS1000 M3\nG54 G0 X0 Y0 Z90\n";
+  const std::string error = "G54.4 X0.4 Y-0.7 Z0.25 I1.5 J0.8 K-1.2\n";
+  const std::string rotary = machine.name == "trunnion" ? "AC" : "BC";
+  const VectorProgram drawn = random_vectors(GetParam(), 23);
+  std::string vectors = head + error + "G43.5 H2\n";
+  std::string angles = head + error + "G43.4 H2\n";
+  for (std::size_t n = 0; n < drawn.wanted.size(); ++n) {
+    const auto& [tip, tool] = drawn.wanted[n];
+    char turn[120];
+    std::snprintf(turn, sizeof turn, " I%.13f J%.13f K%.13f F300\n", tool.x(), tool.y(), tool.z());
+    vectors += "G1" + words(tip) + turn;
+    const motion::Point& axes = drawn.parts[n].back().tip_B;
+    std::snprintf(turn, sizeof turn, " %c%.13f %c%.13f F300\n", rotary[0], axes[3], rotary[1],
+                  axes[4]);
+    angles += "G1" + words(tip) + turn;
+  }
+  const Point offset = Point(drawn.parts[0].back().tip_B[0], drawn.parts[0].back().tip_B[1],
+                             drawn.parts[0].back().tip_B[2]) -
+                       drawn.wanted[0].first;
+  for (const std::string& text : {vectors, angles}) {
+    std::vector<FeedEnd> last;  // of each block
+    for (const FeedEnd& end : feed_ends(machine, text + "G49\nM30\n", GetParam().scheme)) {
+      if (!last.empty() && last.back().block == end.block) last.pop_back();
+      last.push_back(end);
+    }
+    ASSERT_EQ(last.size(), drawn.wanted.size());
+    for (std::size_t n = 0; n < last.size(); ++n) {
+      const Point tip(last[n].tip_B[0], last[n].tip_B[1], last[n].tip_B[2]);
+      const Point place = shift + lies * drawn.wanted[n].first;
+      EXPECT_LT((tip - offset - place).norm(), 1e-9) << "move " << n;
+      EXPECT_LT((last[n].tool_B - lies * drawn.wanted[n].second).norm(), 1e-9) << "move " << n;
+    }
+  }
+}
+
+// A plane, aligned on the part as it lies; behind it the tool stays where it stands.
+TEST_P(ThreePlanes, AndAPlaneLiesOnTheSetUpError) {
+  const channels::MachineConfig machine = machine_called(GetParam().machine);
+  const auto ends = feed_ends(machine,
+                              "T2 M6\nS1000 M3\nG54 G43 H2\nG0 X0 Y0 Z90\nG54.4 X1 I2\n"
+                              "G68.2 X4 Y-6 Z2 I30 J20\nG53.1\nG1 X3 Y5 Z1 F500\nG69\n"
+                              "G43.4 H2\nG1 X0 Y0 Z50\nG49\nM30\n",
+                              GetParam().scheme);
+  ASSERT_EQ(ends.size(), 2U);
+  const Eigen::Matrix3d lies = plane_turn(0.0, 2.0, 0.0);
+  const Eigen::Matrix3d turn = plane_turn(30.0, 20.0, 0.0);
+  const Point tip(ends[0].tip_B[0], ends[0].tip_B[1], ends[0].tip_B[2]);
+  const Point place = Point(1, 0, 0) + lies * (Point(4, -6, 2) + turn * Point(3, 5, 1));
+  const Point offset = tip - place;
+  EXPECT_LT(std::hypot(offset.x(), offset.y()), 1e-9);  // the work offset lies along Z
+  for (const FeedEnd& end : ends)
+    EXPECT_LT((end.tool_B - lies * turn * Point::UnitZ()).norm(), 1e-9);
+}
+
 Diagnostics checked_plane(const std::string& machine, const std::string& program) {
   return check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program))
       .diagnostics;

@@ -119,6 +119,7 @@ void measure_plane (num face, num span_x, num span_y) {
   num steep = hypot (hypot (slope_x, slope_y), 1);
   num normal[3] = {-slope_x/steep, -slope_y/steep, 1/steep};
   num angle_x = atan (slope_x), angle_y = atan (slope_y), height = 0;
+  #<_measured_size_kind>=MEASURE_PLANE
   #<_measured_normal_x>=normal[0]
   #<_measured_normal_y>=normal[1]
   #<_measured_normal_z>=normal[2]

@@ -22,6 +22,7 @@ const num MEASURE_INSIDE = 1;       // bore, slot
 const num MEASURE_OUTSIDE = -1;     // boss, web
 const num MEASURE_TOOL_LENGTH = 2;
 const num MEASURE_TOOL_RADIUS = 3;
+const num MEASURE_PLANE = 4;        // of nothing, but a plane
 
 num measure_mm () {
   return #<_metric> == 1 ? 1 : 1/25.4;

@@ -64,3 +64,19 @@ void measure_write_wear_radius (num tool, num edge = 1) {
 void measure_write_wear_length (num tool, num edge = 1) {
   measure_add_wear (tool, edge, "wear_length", -#<_measured_error_z>);
 }
+
+// Lays the program on the plane that measure_plane has found, by G54.4: turned about X and Y until
+// Z is its normal, and shifted along that to its height. Again under G54.4: on top of nothing else,
+// so end it (`G54.4 P0`) before the plane is measured again.
+void measure_write_set_up () {
+  measure_settings ();
+  if (#<_measured_size_kind> != MEASURE_PLANE) {
+    terminate (4328, "the last measurement was no plane");
+  }
+  num n_x = #<_measured_normal_x>, n_y = #<_measured_normal_y>, n_z = #<_measured_normal_z>;
+  num face = #<_measured_z> - #<_measured_error_z>;
+  num off = n_x*#<_measured_x> + n_y*#<_measured_y> + n_z*#<_measured_z> - face;
+  num turn_x = -asin (n_y), turn_y = atan (n_x/n_z);
+  num shift_x = n_x*off, shift_y = n_y*off, shift_z = n_z*off;
+  G54.4 X=shift_x Y=shift_y Z=shift_z I=turn_x J=turn_y
+}

@@ -62,6 +62,9 @@ class SavedStates : public ProgramTest {
     state.spindles.cutting_speed_m_per_min = number();
     state.spindles.speed_limit_rev_per_min = number();
     if (chance()) turn(state);
+    if (chance())
+      state.frames.set_up.set({number(), number(), number()}, {number(), number(), 0.5});
+    state.frames.is_carried = chance();
     if (chance()) state.map.scale(1, number(), 1.0 + std::abs(number()));
     if (chance()) state.map.mirror(0, number());
     return state;
@@ -89,6 +92,9 @@ TEST_F(SavedStates, AreTheSameAfterTheirText) {
     EXPECT_EQ(read->state.frames.axis_shift, state.frames.axis_shift);
     EXPECT_EQ(read->state.frames.axis_shift_active, state.frames.axis_shift_active);
     EXPECT_EQ(read->state.tool.turning, state.tool.turning);
+    EXPECT_EQ(read->state.frames.set_up.shift, state.frames.set_up.shift);
+    EXPECT_EQ(read->state.frames.set_up.rotation, state.frames.set_up.rotation);
+    EXPECT_EQ(read->state.frames.is_carried, state.frames.is_carried);
     EXPECT_EQ(read->state.switches.mist, state.switches.mist);
     EXPECT_EQ(read->state.frames.rotation.rotation, state.frames.rotation.rotation);
     EXPECT_EQ(read->state.map.numbers(), state.map.numbers());

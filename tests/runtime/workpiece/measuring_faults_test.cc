@@ -112,6 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
               "measure_web (X, 40, -5);\nmeasure_write_offset (2);\n", "U4328"},
         Fault{"writes_a_width_as_length", nothing, probe_over_block.c_str(),
               "measure_web (X, 39.9, -5);\nmeasure_write_tool_length ();\n", "U4328"},
+        Fault{"lies_on_a_plane_that_is_none", nothing, probe_over_block.c_str(),
+              "measure_web (X, 40, -5);\nmeasure_write_set_up ();\n", "U4328"},
         Fault{"writes_a_length_as_radius", nothing, mill_high.c_str(),
               "measure_tool_length ();\nmeasure_write_tool_radius ();\n", "U4328"},
         Fault{"writes_a_length_as_wear_of_the_radius", nothing, mill_high.c_str(),

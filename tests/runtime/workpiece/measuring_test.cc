@@ -208,6 +208,23 @@ TEST(Measuring, FindsAPlaneThatLeans) {
   EXPECT_NEAR(bench.found("z"), 1.0 - (n_x * -8.0 + n_y * -7.0) / n_z, 2.0 * late);
 }
 
+// The program lies on the plane that was found: the same touches find it flat and at its height.
+// The ball still touches along the normal, from the side, so its lowest point is r (1 - n_z) too
+// high.
+TEST(Measuring, LaysTheProgramOnThePlaneThatWasFound) {
+  MeasuringBench bench;
+  bench.run_to_end(head + box +
+                   "#workpiece_pos (0, 0, 1, 30, 1.5, 0)\nT9 M6\nG43\nG0 Z30\nX-8 Y-7\nZ6\n"
+                   "measure_plane (1.2, 14, 12);\nmeasure_write_set_up ();\n"
+                   "G0 X-8 Y-7 Z6\nmeasure_plane (1.2, 14, 12);\n" +
+                   tell({"error_z", "angle_x", "angle_y"}) + "M30\n");
+  constexpr double rad = std::numbers::pi / 180.0;
+  const double slope_late = 4.0 * late / 12.0;
+  EXPECT_NEAR(bench.found("angle_x"), 0.0, slope_late / rad);
+  EXPECT_NEAR(bench.found("angle_y"), 0.0, slope_late / rad);
+  EXPECT_NEAR(bench.found("error_z"), probe_radius * (1.0 - std::cos(1.5 * rad)), 4.0 * late);
+}
+
 TEST(Measuring, CountsInInches) {
   MeasuringBench bench;
   bench.run_to_end(head + box +
