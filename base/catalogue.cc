@@ -448,6 +448,9 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "the run goes on; the tool cuts nothing in the simulation"},
     {"W926", "#workpiece_pos has no blank", Reaction::warning,
      "announce the blank with #workpiece first", "the run goes on"},
+    {"W927", "a probe meets the part at rapid traverse", Reaction::warning,
+     "go there by a probing move (G38.3), or around the part",
+     "correct the program and simulate it again"},
 });
 
 constexpr auto rows = [] {

@@ -18,6 +18,7 @@ constexpr EnumArray<FindingKind, Row> rows{
     Row{"W922", "the shank of the tool is in the material"},
     Row{"W923", "the holder of the tool is in the material"},
     Row{"W924", "the tool cuts while the spindle stands"},
+    Row{"W927", "a probe meets the part at rapid traverse"},
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ enum class FindingKind : std::uint8_t {
   shank,          // the shank, or what is not ground, in the material
   holder,         // the holder in the material
   spindle_stood,  // a cut without turning spindle
+  probe,          // a probe meets the material at rapid traverse
 };
 
 // "W921" ..., a row of the catalogue each.

@@ -67,6 +67,11 @@ void Workpiece::mill_along(const MillingTool& tool, const ToolMove& move,
     find(FindingKind::spindle_stood, removed, move.end(), circumstances);
 }
 
+// Nothing is removed; what the report leaves out as rounding is less than a cell.
+void Workpiece::find_probe_at_rapid(const Vector& place_K, const Circumstances& circumstances) {
+  find(FindingKind::probe, material_.grid().cell.prod(), place_K, circumstances);
+}
+
 bool Workpiece::touches(const ToolSolid& probe, const ToolPlace& place) const {
   return std::ranges::any_of(probe.bodies, [&](const Body& body) {
     return body.part != Part::holder && simulation::touches(material_, body, place);

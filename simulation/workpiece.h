@@ -57,6 +57,7 @@ class Workpiece {
 
   void mill(const MillingTool& tool, const ToolPlace& from, const ToolPlace& to,
             const Circumstances& circumstances);
+  void find_probe_at_rapid(const Vector& place_K, const Circumstances& circumstances);
   // Whether ball or stylus of a probe touches what is left. The ball finds a face late by what it
   // reaches over the nearest ray: at most resolution² / (4 radius).
   [[nodiscard]] bool touches(const ToolSolid& probe, const ToolPlace& place) const;

@@ -266,6 +266,12 @@ bool WorkpieceFollower::touches_workpiece(const Sample& now) {
   return workpiece_->touches(probe->mill->solid, place_K);
 }
 
+void WorkpieceFollower::find_probe_at_rapid(const Sample& now) {
+  workpiece_->find_probe_at_rapid(
+      milling_place(now).tip,
+      {.shares = {{now.origin}}, .tool = now.tool, .rapid = true, .time_s = now.time_s});
+}
+
 bool WorkpieceFollower::touches(const Sample& now, const Disc& disc_M) const {
   constexpr double rounding = 1e-3;  // mm, of rounded corners
   const ToolRecord* record = record_of(now);

@@ -68,6 +68,8 @@ class WorkpieceFollower {
   // Whether the probe in the spindle touches the workpiece where the axes stand in `now`; false for
   // tools that are no probe. What was followed so far is cut.
   [[nodiscard]] bool touches_workpiece(const Sample& now);
+  // A finding of the cut: the probe, which has just met the workpiece in `now`, was at rapid.
+  void find_probe_at_rapid(const Sample& now);
   // Whether any tool but an insert touches a disc, which stands in the machine system.
   [[nodiscard]] bool touches(const Sample& now, const Disc& disc_M) const;
 

@@ -56,27 +56,32 @@ const Signals* SimulatedWorkpieces::touched(const channels::CycleOutput& last,
     const int input = file_.machine.channels[k].probe_input;
     const channels::ChannelOutput& channel = last.channels[k];
     if (input < 0 || channel.axis_count == 0) continue;
-    if (touches(k, channel, position_of)) inputs_.set(input, true);
+    const simulation::Sample sample =
+        sample_of(channel, static_cast<double>(last.cycle) * cycle_s_);
+    if (touches(k, channel, sample, position_of)) inputs_.set(input, true);
   }
   return &inputs_;
 }
 
 // Where nothing has changed the answer is the one from before.
 bool SimulatedWorkpieces::touches(std::size_t seat, const channels::ChannelOutput& channel,
-                                  const AxisPosition& position_of) {
+                                  simulation::Sample sample, const AxisPosition& position_of) {
   const channels::ChannelConfig& config = file_.machine.channels[seat];
-  simulation::Sample sample = sample_of(channel, 0.0);
   for (std::size_t k = 0; k < config.axes.size(); ++k)
     sample.axes_M[k] = position_of(config.axes[k]);
   Probing& probing = probing_[seat];
   if (probing.is_known && stands_as(probing.sample, sample) && probing.tool == channel.tool_row &&
       probing.announcements == channel.workpiece.announcements)
     return probing.touches;
+  const bool touched_before = probing.touches;
   probing = {.is_known = true,
              .touches = feeds_[seat]->follower().touches_workpiece(sample),
              .sample = sample,
              .announcements = channel.workpiece.announcements,
              .tool = channel.tool_row};
+  // From a touch it may go back at rapid.
+  if (probing.touches && !touched_before && sample.rapid)
+    feeds_[seat]->follower().find_probe_at_rapid(sample);
   const config::ToolSetterConfig& setter = file_.simulation.setter;
   if (!probing.touches && setter.channel == config.id) {
     const simulation::Disc disc{.top = {setter.x, setter.y, setter.z},

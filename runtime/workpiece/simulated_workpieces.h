@@ -53,7 +53,7 @@ class SimulatedWorkpieces {
   };
 
   [[nodiscard]] bool touches(std::size_t seat, const channels::ChannelOutput& channel,
-                             const AxisPosition& position_of);
+                             simulation::Sample sample, const AxisPosition& position_of);
 
   const config::MachineFile& file_;
   double cycle_s_;

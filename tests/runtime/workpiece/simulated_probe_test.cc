@@ -77,6 +77,28 @@ TEST(SimulatedProbe, CutsNothingAndIsNotSwitchedByOtherTools) {
   EXPECT_NEAR(bench.found("z"), 0.0, late_max);
 }
 
+// Down on the part at rapid is a finding of its block, once; back from a touch at rapid, which
+// begins on the part, is none.
+TEST(SimulatedProbe, TellsOfAProbeThatMeetsThePartAtRapid) {
+  MeasuringBench bench;
+  bench.options.workpieces = std::make_shared<SimulatedWorkpieces>(
+      bench.options.file, simulation::memory_default,
+      [](int, const std::string& code, const std::string& text) {
+        ADD_FAILURE() << code << " " << text;
+      });
+  bench.run_to_end(block_of_forty + "G0 Z20\nX3 Y2 Z2\nG38.2 Z-2\nG0 Z20\nG0 Z-1\nG0 Z20\nM30\n");
+  const auto& workpieces = bench.options.workpieces->feeds()[0]->follower().workpieces();
+  ASSERT_EQ(workpieces.size(), 1U);
+  const auto findings = workpieces[0]->report().findings();
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(simulation::code_of(findings[0].kind), "W927");
+  EXPECT_EQ(findings[0].origin.line, 9U);
+  EXPECT_EQ(findings[0].tool, 9);
+  EXPECT_LT(findings[0].place_K.z(), 10.0);
+  EXPECT_GT(findings[0].place_K.z(), 9.0);
+  EXPECT_GT(findings[0].time_s, 1.0);
+}
+
 TEST(SimulatedProbe, WithoutAPartNeverTouches) {
   MeasuringBench bench;
   bench.run("T9 M6\nG43\nG0 Z5\nG38.2 Z-5 F600\nM30\n");
