@@ -46,7 +46,6 @@ struct ChannelConstants {
   int spindle_count = 0;
   std::array<motion::AutomaticFeedConfig, automatic_feeds_max> automatic_feeds{};
   motion::FeedModifier* feed_modifier = nullptr;  // nullptr: no force control
-  int probe_input = -1;  // digital input that is on while the probe touches; -1: no probe
 };
 
 }  // namespace stanok::channels

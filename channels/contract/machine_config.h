@@ -83,7 +83,8 @@ struct ChannelConfig {
   double arc_radius_tolerance_mm = 0.01;
   lang::ToolMeasuring tool_measuring;
   OwnerFailure on_owner_failure = OwnerFailure::hold;
-  int probe_input = -1;  // digital input that is on while the probe touches; -1: no probe
+  int probe_input = -1;          // digital input that is on while the probe touches; -1: no probe
+  std::vector<int> skip_inputs;  // those of G31 P2, P3 and P4
   std::vector<motion::AutomaticFeedConfig> automatic_feeds;  // at most one of each law
   bool force_control = false;                        // its master spindle has a power sensor for it
   std::map<std::string, std::string> codes;          // "G200" -> "cycles/groove.nc"

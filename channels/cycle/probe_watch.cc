@@ -5,14 +5,15 @@ namespace stanok::channels {
 bool ProbeWatch::begin(const ProbeBegin& probe) RT_SAFE {
   move_ = {};
   move_.is_on = true;
+  move_.input = probe.input;
   move_.until_contact = probe.until_contact;
-  move_.ends_path = inputs_.is_on(input_) == move_.until_contact;
+  move_.ends_path = inputs_.is_on(move_.input) == move_.until_contact;
   return !move_.ends_path;
 }
 
 void ProbeWatch::advance(ChannelLink& link) RT_SAFE {
   if (!move_.is_on) return;
-  if (!move_.ends_path && inputs_.is_on(input_) == move_.until_contact) {
+  if (!move_.ends_path && inputs_.is_on(move_.input) == move_.until_contact) {
     move_.has_changed = true;
     move_.ends_path = true;
     for (std::size_t k = 0; k < motion::axes_max; ++k) {

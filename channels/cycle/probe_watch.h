@@ -15,9 +15,9 @@ namespace stanok::channels {
 
 class ProbeWatch {
  public:
-  // All outlive the watch. `input`: on while the probe touches; -1: there is no probe.
-  ProbeWatch(int input, const Signals& inputs, const DriveGuard& drives, AxisMotion& motion)
-      : input_(input), inputs_(inputs), drives_(drives), motion_(motion) {}
+  // All outlive the watch.
+  ProbeWatch(const Signals& inputs, const DriveGuard& drives, AxisMotion& motion)
+      : inputs_(inputs), drives_(drives), motion_(motion) {}
 
   // False: the probe stands already as it should come to stand, which tells nothing about where to
   // go; the move is given up.
@@ -33,13 +33,13 @@ class ProbeWatch {
  private:
   struct Move {
     bool is_on = false;          // from the move on until its answer
+    int input = -1;              // of it
     bool until_contact = false;  // else until it leaves
     bool has_changed = false;
     bool ends_path = false;
     motion::Point axes_M{};  // where the axes stood when it changed, mm or deg
   };
 
-  int input_;
   const Signals& inputs_;
   const DriveGuard& drives_;
   AxisMotion& motion_;

@@ -38,7 +38,6 @@ ChannelConstants channel_constants(const MachineConfig& machine, const ChannelCo
   constants.axis_count = static_cast<int>(channel.axes.size());
   constants.cycle_s = machine.cycle_us * 1e-6;
   constants.stops_go_on = options.stops_go_on;
-  constants.probe_input = channel.probe_input;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[channel.axes[k]];
     const bool homed_at_start = options.on_at_start || axis.homing.order == 0;

@@ -57,6 +57,7 @@ struct TransformSet {
 
 // The move behind it ends where the probe changes.
 struct ProbeBegin {
+  int input = -1;  // digital, on while it touches
   bool until_contact = false;
   bool alarm_when_missed = false;
 };

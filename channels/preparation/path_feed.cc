@@ -31,12 +31,22 @@ class OtherSink {
   FeedSink* own_;
 };
 
-Diagnostic no_probe(int channel) {
+Diagnostic no_probe(int channel, int input) {
+  const bool is_first = input == 1;
   Diagnostic diagnostic;
   diagnostic.code = "E4323";
   diagnostic.message = "channel " + std::to_string(channel) + " has no probe";
-  diagnostic.help = {"give the channel a probe_input in the machine file"};
+  if (!is_first) diagnostic.message += " P" + std::to_string(input);
+  diagnostic.help = {is_first ? "give the channel a probe_input in the machine file"
+                              : "give the channel skip_inputs in the machine file: of P2, P3, P4"};
   return diagnostic;
+}
+
+// The digital input of P1 to P4; -1: there is none.
+int digital_input(const ChannelConfig& channel, int input) {
+  if (input == 1) return channel.probe_input;
+  const auto place = static_cast<std::size_t>(input - 2);
+  return place < channel.skip_inputs.size() ? channel.skip_inputs[place] : -1;
 }
 
 }  // namespace
@@ -202,9 +212,11 @@ PathFeed::Refusal PathFeed::take_thread(const lang::Command& command,
 
 PathFeed::Refusal PathFeed::take_probing(const lang::Command& command,
                                          const lang::ProbeMove& move) {
-  if (channel_.probe_input < 0) return no_probe(channel_.id);
+  const int input = digital_input(channel_, move.input);
+  if (input < 0) return no_probe(channel_.id, move.input);
   give({.tag = tag_of(command),
-        .content = ProbeBegin{.until_contact = move.until_contact,
+        .content = ProbeBegin{.input = input,
+                              .until_contact = move.until_contact,
                               .alarm_when_missed = move.alarm_when_missed}});
   // The request behind it ends the path. A line that ended it by itself (G9, G61.1) would be on its
   // way before the item that watches the probe.

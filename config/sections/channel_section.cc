@@ -64,6 +64,8 @@ const Keys<ChannelFile>& channel_keys() {
        one_of({"hold", "continue", "reset"})},
       {"probe_input", at<&ChannelFile::channel, &ChannelConfig::probe_input>, optional, "",
        "digital input that is on while the probe of G38.2 to G38.5 touches", from(0, 63), "none"},
+      {"skip_inputs", at<&ChannelFile::channel, &ChannelConfig::skip_inputs>, optional, "",
+       "digital inputs of G31 P2, P3 and P4"},
       {"measuring_feed",
        at<&ChannelFile::channel, &ChannelConfig::tool_measuring,
           &lang::ToolMeasuring::feed_mm_per_min>,
@@ -184,6 +186,19 @@ void check_spindles(const toml::table& table, const ChannelConfig& channel,
     scope.fault(place_of(table, "spindles", i), "there is no spindle " +
                                                     std::to_string(channel.spindles[i]) +
                                                     "; add a [[spindle]] with that id");
+  }
+}
+
+void check_skip_inputs(const toml::table& table, const ChannelConfig& channel, const Scope& scope) {
+  constexpr std::size_t most = 3;
+  constexpr int last_input = 63;
+  if (channel.skip_inputs.size() > most)
+    scope.fault(place_of(table, "skip_inputs"), "G31 has P2, P3 and P4: three inputs at most");
+  for (std::size_t i = 0; i < channel.skip_inputs.size(); ++i) {
+    if (channel.skip_inputs[i] >= 0 && channel.skip_inputs[i] <= last_input) continue;
+    scope.fault(place_of(table, "skip_inputs", i), "there is no digital input " +
+                                                       std::to_string(channel.skip_inputs[i]) +
+                                                       "; they are 0 to 63");
   }
 }
 
@@ -322,6 +337,7 @@ ChannelConfig read_channel(const toml::table& table, const MachineConfig& machin
   channel.rules = text_rules(table, file, channel.kind, scope);
   resolve_axes(table, file, machine, channel, scope);
   if (!table.contains("words")) channel.words = file.axes;
+  check_skip_inputs(table, channel, scope);
   check_spindles(table, channel, machine, scope);
   check_names(table, channel, scope);
   check_dialect_keys(table, channel, scope);

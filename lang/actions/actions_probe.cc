@@ -132,16 +132,12 @@ void probe(ActiveBlock& block, CodeNumber code) {
   if (excluded_by_mode(block, code, {Exclusion::radius_compensation, Exclusion::inverse_time})) {
     return;
   }
-  if (code == g(31) && block.has('P')) {
-    // P2 to P4 are further inputs of other controls, and their multi-step skip.
-    const auto input = block.integer('P', 1, 4);
-    if (!input) return;
-    if (*input != 1) {
-      block.fail("E4008", {'P', -1, {}}, "there is one probe, P1", "no such input");
-      return;
-    }
-  }
   ProbeMove move;
+  if (code == g(31) && block.has('P')) {
+    const auto input = block.integer('P', 1, skip_inputs_last);
+    if (!input) return;
+    move.input = *input;
+  }
   move.line.kind = MoveKind::line;
   move.until_contact = code == g(31) || code == g(38, 2) || code == g(38, 3);
   move.alarm_when_missed = code == g(38, 2) || code == g(38, 4);

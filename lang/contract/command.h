@@ -142,8 +142,11 @@ struct SynchronousMove {
 };
 
 // G38.2 to G38.5: a line that ends when the probe changes. RequestKind::probe_result follows it.
+inline constexpr int skip_inputs_last = 4;
+
 struct ProbeMove {
   Move line;
+  int input = 1;                  // P of G31: 1, the probe, to skip_inputs_last
   bool until_contact = true;      // .2, .3; else until contact is lost
   bool alarm_when_missed = true;  // .2, .4
 };

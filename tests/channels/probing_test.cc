@@ -141,6 +141,29 @@ TEST(Probing, NeedsAProbe) {
   EXPECT_THAT(bench.alarm_codes(), ElementsAre("E4323"));
 }
 
+// P2 is the first of skip_inputs: the probe of P1 touches earlier and is not what ends the move.
+TEST(Probing, WatchesTheInputOfItsP) {
+  constexpr int other = 3;
+  MachineConfig config = mill_with_probe();
+  config.channels[0].skip_inputs = {other};
+  MachineBench bench(config);
+  bench.program("p.nc", "G31 P2 Z-30 F600\nG0 X=$probe[Z]\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end([&](const CycleOutput& output) {
+    Signals inputs;
+    inputs.set(probe, output.channels[0].axes[2].position <= -5.0);
+    inputs.set(other, output.channels[0].axes[2].position <= -12.0);
+    bench.inputs(inputs);
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_NEAR(bench.channel(1).axes[0].position, -12.0, 10.0 * cycle_s + 1e-9);
+
+  bench.program("none.nc", "G31 P3 Z-40 F600\nM30\n");
+  bench.run(1, "none.nc");
+  bench.run_to_end();
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E4323"));
+}
+
 // A hold and a resume on the way, and a reset: the probe is looked at all the same, or forgotten.
 TEST(Probing, SurvivesHoldAndReset) {
   MachineBench bench(mill_with_probe());

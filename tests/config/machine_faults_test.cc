@@ -293,6 +293,8 @@ const Case cases[] = {
      "neither from nor to is given; the input would always be on"},
     {"ContactNeverOn", end_of_file, "[[contact]]\ninput = 1\naxis = \"X\"\nfrom = 1\nto = 0", 33, 6,
      "to lies below from, 1; the input would never be on"},
+    {"SkipInputUnknown", 23, "axes = [\"X\", \"C\"]\nskip_inputs = [7, 64]", 24, 19,
+     "there is no digital input 64; they are 0 to 63"},
     {"RealToolUnknown", end_of_file, "[[simulation.tool]]\nnumber = 4", 30, 10,
      "the tables file has no such tool and edge; give it a [[tool]] there"},
     {"SetterWithoutProbeInput", end_of_file,

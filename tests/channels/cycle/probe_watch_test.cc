@@ -14,10 +14,12 @@ constexpr int input = 3;
 
 class ProbeWatchTest : public ::testing::Test {
  protected:
-  static ProbeBegin move(bool until_contact) { return {.until_contact = until_contact}; }
+  static ProbeBegin move(bool until_contact) {
+    return {.input = input, .until_contact = until_contact};
+  }
 
   CycleBench bench_;
-  ProbeWatch probe_{input, bench_.inputs, bench_.parts.drives, bench_.parts.motion};
+  ProbeWatch probe_{bench_.inputs, bench_.parts.drives, bench_.parts.motion};
 };
 
 TEST_F(ProbeWatchTest, EndsThePathWhereTheProbeTouches) {

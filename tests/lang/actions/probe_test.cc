@@ -68,7 +68,16 @@ TEST_F(Probing, OfOneBlockLeavesTheMotionAsItWas) {
   ASSERT_EQ(probes.size(), 1u);
   EXPECT_TRUE(probes[0].until_contact);
   EXPECT_FALSE(probes[0].alarm_when_missed);
-  EXPECT_EQ(error_code("G31 X200 P2 F50\nM30\n"), "E4008");
+  EXPECT_EQ(probes[0].input, 1);
+  EXPECT_EQ(error_code("G31 X200 P5 F50\nM30\n"), "E4008");
+}
+
+TEST_F(Probing, MayWatchAnotherInput) {
+  find_at_a_point();
+  moves("G31 X200 P3 F50\nM30\n");
+  const auto probes = all<ProbeMove>();
+  ASSERT_EQ(probes.size(), 1u);
+  EXPECT_EQ(probes[0].input, 3);
 }
 
 }  // namespace
