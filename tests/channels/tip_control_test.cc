@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
@@ -166,6 +168,80 @@ std::string vector_words(const Direction& direction) {
   std::snprintf(text, sizeof text, "I%.15f J%.15f K%.15f", direction[0], direction[1],
                 direction[2]);
   return text;
+}
+
+// A straight way of tips 1 mm apart under vectors that change at each of them.
+struct VectorWay {
+  std::vector<Direction> tools;  // at X -30, -29 ... 30
+  std::string text;
+
+  explicit VectorWay(const std::string& path_mode) {
+    std::mt19937 engine(436);
+    std::uniform_real_distribution<double> lean(15.0, 18.0);
+    std::uniform_real_distribution<double> turn(-12.0, 12.0);
+    text = "#kinematics (2, 1)\nG43.5 H0\n" + path_mode + "\nG0 X-30 Y5 Z0\n";
+    for (int k = -30; k <= 30; ++k) {
+      tools.push_back(tool_of(lean(engine), turn(engine)));
+      text += (k == -30 ? "G0 X" : "G1 X") + std::to_string(k) + " " + vector_words(tools.back()) +
+              (k == -29 ? " F3000\n" : "\n");
+    }
+    text += "M0\nM30\n";
+  }
+  // On the great circle between both neighbours.
+  [[nodiscard]] Direction tool_at(double x) const {
+    const double from_start = std::clamp(x + 30.0, 0.0, 60.0);
+    const auto place = std::min<std::size_t>(static_cast<std::size_t>(from_start), 59);
+    const double part = from_start - static_cast<double>(place);
+    const Direction& from = tools[place];
+    const Direction& to = tools[place + 1];
+    const double angle = std::acos(std::min(1.0, dot(from, to)));
+    Direction tool{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      tool[k] = (std::sin((1.0 - part) * angle) * from[k] + std::sin(part * angle) * to[k]) /
+                std::sin(angle);
+    }
+    return tool;
+  }
+};
+
+struct VectorRun {
+  double off_mm = 0.0;   // of the tip from its line
+  double off_deg = 0.0;  // of the tool from where it should point there
+  double share = 0.0;    // of the limits
+  int cycles = 0;
+};
+
+VectorRun run_of(const VectorWay& way) {
+  MachineBench bench;
+  bench.program("p.nc", way.text);
+  bench.run(1, "p.nc");
+  VectorRun run;
+  bench.run_to_end([&](const CycleOutput& output) {
+    const ChannelOutput& channel = output.channels[0];
+    run.share = std::max(run.share, share_of_limits(channel));
+    if (channel.tag.line < 6) return;
+    ++run.cycles;
+    const TipPosition tip = tip_of(channel);
+    run.off_mm = std::max(run.off_mm, std::hypot(tip.y - 5.0, tip.z));
+    const Direction tool = tool_of(channel.axes[3].position, channel.axes[4].position);
+    const double cosine = std::clamp(dot(tool, way.tool_at(tip.x)), -1.0, 1.0);
+    run.off_deg = std::max(run.off_deg, std::acos(cosine) * 180.0 / std::numbers::pi);
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  return run;
+}
+
+// Under G64 points and vectors are smoothed together: the tip stays within 0.01 mm of its line, the
+// tool within what 0.05 deg of each rotary axis, the division of the moves (0.005 deg) and 0.01 mm
+// of the way (up to 4 deg in 1 mm) make, and nothing stops.
+TEST(TipControl, PointsAndVectorsAreSmoothedWithinBothTolerances) {
+  const VectorRun smooth = run_of(VectorWay("G64 P0.01"));
+  const VectorRun stopping = run_of(VectorWay("G61.1"));
+  EXPECT_LE(smooth.off_mm, 0.01);
+  EXPECT_LE(smooth.off_deg, 0.05 + 0.05 * std::sin(18.0 * std::numbers::pi / 180.0) + 0.005 + 0.04);
+  EXPECT_LE(smooth.share, 1.0 + 1e-9);
+  EXPECT_LE(stopping.off_deg, 0.0055);
+  EXPECT_LT(smooth.cycles, stopping.cycles);
 }
 
 struct TurningCase {

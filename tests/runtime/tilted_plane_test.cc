@@ -4,86 +4,13 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <numbers>
 #include <random>
 #include <vector>
 
-#include "config/files/machine_file.h"
-#include "runtime/dry_run.h"
-#include "tests/support/project_folders.h"
+#include "tests/runtime/feed_ends.h"
 
 namespace stanok::runtime {
 namespace {
-
-using Point = Eigen::Vector3d;
-
-constexpr double deg_of_plane = 180.0 / std::numbers::pi;
-
-class PlaneProgram : public lang::Files {
- public:
-  explicit PlaneProgram(std::string text) : text_(std::make_shared<lang::SourceText>()) {
-    text_->name = text_->path = "plane.nc";
-    text_->text = std::move(text);
-  }
-  [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> read(
-      std::string_view, std::string_view) const override {
-    return text_;
-  }
-
- private:
-  std::shared_ptr<lang::SourceText> text_;
-};
-
-channels::MachineConfig machine_called(const std::string& name) {
-  return config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) /
-                                   "config" / "machines" / name)
-      .machine;
-}
-
-// Where the axes stand at the ends of the moves at feed, and where the tip is in the base then.
-struct FeedEnd {
-  std::uint64_t block = 0;
-  bool stops = false;
-  motion::Point axes_M{};
-  motion::Point tip_B{};
-  Point tool_B;
-  std::array<Point, 8> tools_B;  // on the way from the end before, while all axes move evenly
-};
-
-std::vector<FeedEnd> feed_ends(const channels::MachineConfig& machine, const std::string& text,
-                               int scheme = -1) {
-  const PlaneProgram files(text);
-  DryRun run(machine, 1, scheme, files);
-  std::vector<FeedEnd> ends;
-  const auto keep = [&](const lang::Command&, const motion::PathBlock* block) {
-    if (block == nullptr || block->rapid) return;
-    FeedEnd end;
-    end.block = block->tag.block;
-    end.stops = block->ending == motion::BlockEnding::exact_stop;
-    const kinematics::Transform& transform = *block->transform;
-    kinematics::inverse(transform, block->end, end.axes_M);
-    transform.scheme->forward(kinematics::PointMode::tip, transform.tool, end.axes_M, end.tip_B);
-    end.tool_B = transform.scheme->spindle_axes(end.tip_B)[2];
-    const motion::Point before = ends.empty() ? end.tip_B : ends.back().tip_B;
-    for (std::size_t k = 0; k < end.tools_B.size(); ++k) {
-      const double way = static_cast<double>(k + 1) / static_cast<double>(end.tools_B.size());
-      motion::Point between = before;
-      for (std::size_t axis = 0; axis < between.size(); ++axis)
-        between[axis] += way * (end.tip_B[axis] - before[axis]);
-      end.tools_B[k] = transform.scheme->spindle_axes(between)[2];
-    }
-    ends.push_back(end);
-  };
-  const DryRunResult result = run.run("plane.nc", Reachability::checked, keep,
-                                      [](const lang::Request&, const lang::Command&) {});
-  // Where the tool leaves a pole the axis that is free there turns first: the feed is out of reach.
-  for (const Diagnostic& one : result.diagnostics) {
-    if (one.code != "W810")
-      ADD_FAILURE() << one.code << " line " << one.place.line << ": " << one.message;
-  }
-  return ends;
-}
 
 Eigen::Matrix3d plane_turn(double i_deg, double j_deg, double k_deg) {
   const auto about = [](const Point& axis, double angle_deg) {
@@ -450,8 +377,8 @@ TEST(TiltedPlaneOnMachine, RefusesAVectorWithTheOtherBranchOnTheWay) {
   EXPECT_TRUE(checked_plane("trunnion.toml", program + "G0" + move).empty());
 }
 
-// A20 C180 leans the tool as A-20 C0 does, but is another position of the axes than the one in which
-// the circle from A-30 C0 ends.
+// A20 C180 leans the tool as A-20 C0 does, but is another position of the axes than the one in
+// which the circle from A-30 C0 ends.
 TEST(TiltedPlaneOnMachine, RefusesAnglesThatLeaveTheGreatCircle) {
   const std::string program =
       "T2 M6\nS1000 M3\nG54 G0 X0 Y0 Z90\nG43.4 H2\nG0 A-30 C0 Z30\n#orientation (vector)\n";
@@ -460,9 +387,9 @@ TEST(TiltedPlaneOnMachine, RefusesAnglesThatLeaveTheGreatCircle) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "E4354");
   EXPECT_EQ(found[0].place.line, 7);
-  EXPECT_TRUE(
-      checked_plane("trunnion.toml", program + "#orientation (axis)\nG1 X10 A20 C180 F500\nG49\nM30\n")
-          .empty());
+  EXPECT_TRUE(checked_plane("trunnion.toml",
+                            program + "#orientation (axis)\nG1 X10 A20 C180 F500\nG49\nM30\n")
+                  .empty());
 }
 
 TEST(TiltedPlaneOnMachine, NeedsATableThatCarriesTheOffset) {
