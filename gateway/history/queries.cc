@@ -1,6 +1,8 @@
 #include "gateway/history/queries.h"
 
 #include <array>
+#include <cstdint>
+#include <string>
 
 #include "gateway/outbox/wall_clock.h"
 
@@ -50,19 +52,23 @@ constexpr std::string_view tools_sql =
     "SELECT machine, tool, COUNT(*), SUM(use_s), MAX(time_s) FROM tool_use WHERE time_s >= $1 AND "
     "($2 = '' OR machine = $2) GROUP BY machine, tool ORDER BY machine, tool";
 
-// Means of the first and of the last quarter of the runs of the same text.
 constexpr std::array drift_columns{Column{"machine", text},   Column{"program", text},
                                    Column{"version", text},   Column{"runs", number},
                                    Column{"first_s", number}, Column{"last_s", number},
                                    Column{"drift", number}};
+// Texts with enough good runs; what remains is asked of each (`drift_rows`), so that no engine has
+// to sort the runs of all.
 constexpr std::string_view drift_sql =
-    "WITH quarters AS (SELECT machine, program, version, time_s, NTILE(4) OVER (PARTITION BY "
-    "machine, program, version ORDER BY ended_s) AS quarter FROM runs WHERE ended_s >= $1 AND ($2 "
-    "= '' OR machine = $2) AND ok = 1), means AS (SELECT machine, program, version, COUNT(*) AS "
-    "runs, AVG(CASE WHEN quarter = 1 THEN time_s END) AS first_s, AVG(CASE WHEN quarter = 4 THEN "
-    "time_s END) AS last_s FROM quarters GROUP BY machine, program, version) SELECT machine, "
-    "program, version, runs, first_s, last_s, (last_s - first_s) / first_s FROM means WHERE runs "
-    ">= 8 AND first_s > 0 ORDER BY machine, program, version";
+    "SELECT machine, program, version, COUNT(*) FROM runs WHERE ok = 1 AND ended_s >= $1 AND ($2 = "
+    "'' OR machine = $2) GROUP BY machine, program, version HAVING COUNT(*) >= 8 ORDER BY machine, "
+    "program, version";
+// Mean over so many runs of a text, the oldest or the newest of them.
+constexpr std::string_view oldest_sql =
+    "SELECT AVG(time_s) FROM (SELECT time_s FROM runs WHERE machine = $1 AND program = $2 AND "
+    "version = $3 AND ok = 1 AND ended_s >= $4 ORDER BY ended_s LIMIT $5) AS quarter";
+constexpr std::string_view newest_sql =
+    "SELECT AVG(time_s) FROM (SELECT time_s FROM runs WHERE machine = $1 AND program = $2 AND "
+    "version = $3 AND ok = 1 AND ended_s >= $4 ORDER BY ended_s DESC LIMIT $5) AS quarter";
 
 constexpr std::array all{
     Query{"runs", "program runs, the newest first, 1000 at most", runs_sql, run_columns},
@@ -72,6 +78,29 @@ constexpr std::array all{
     Query{"drift", "cycle times of the same program text: first against last quarter of its runs",
           drift_sql, drift_columns},
 };
+
+// Means of the first and of the last quarter of the runs of the same text. Where their number is no
+// multiple of four the first one has one more.
+Rows drift_rows(Database& database, const Rows& texts, double since_s) {
+  constexpr std::int64_t quarters = 4;
+  Rows rows;
+  for (const Row& one : texts) {
+    const std::int64_t runs = std::stoll(*one[3]);
+    const auto mean_of = [&](std::string_view sql, std::int64_t count) {
+      return database
+          .run(std::string(sql), {one[0], one[1], one[2], text_of(since_s), std::to_string(count)})
+          .at(0)
+          .at(0);
+    };
+    const Value first = mean_of(oldest_sql, (runs + quarters - 1) / quarters);
+    const Value last = mean_of(newest_sql, runs / quarters);
+    const double first_s = number_of(first);
+    if (!(first_s > 0.0)) continue;
+    rows.push_back({one[0], one[1], one[2], one[3], first, last,
+                    text_of((number_of(last) - first_s) / first_s)});
+  }
+  return rows;
+}
 
 }  // namespace
 
@@ -83,7 +112,8 @@ Rows ask(History& history, const Query& query, double since_s, const std::string
   Row values{text_of(since_s), machine};
   const std::string sql(query.sql);
   if (sql.find("$3") != std::string::npos) values.emplace_back(text_of(wall_clock_s()));
-  return history.database().run(sql, values);
+  Rows rows = history.database().run(sql, values);
+  return query.sql == drift_sql ? drift_rows(history.database(), rows, since_s) : rows;
 }
 
 }  // namespace stanok::gateway
