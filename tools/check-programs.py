@@ -7,7 +7,9 @@
 
 With --peer each program also goes through rs274 of LinuxCNC (tests/peers/rs274), and the classes are: identical to the
 peer, different from it, accepted where the peer refuses, refused by both, and refused here alone. --declare names codes
-of the machine builder that a shop would have in [channel.codes].
+of the machine builder that a shop would have in [channel.codes]. --judged names a text with a line `END OF PATH: reason`
+for each program whose refusal or difference was traced and is right; what is refused or different besides is counted
+as wrong.
 
 Each program is checked on its own, on the machine with the dialect given (the machine file is copied beside itself for
 that). Printed are: how many are accepted, and for each error code how many programs are refused with it first, with
@@ -102,6 +104,23 @@ def compare(stanok, machine, program, kind):
     return ("different", found) if found else ("identical", "")
 
 
+def judgements(file):
+    """Ends of paths of programs that were judged, with the reason."""
+    with open(file, encoding="utf-8") as lines:
+        pairs = (line.split(":", 1) for line in lines if ":" in line and not line.startswith("#"))
+        return {name.strip(): reason.strip() for name, reason in pairs}
+
+
+def judged_class(kind, program, judged):
+    """The class of a program, by its judgement where it has one; what is refused rightly by both is right."""
+    reason = next((why for name, why in judged.items() if program.endswith(name)), None)
+    if kind in ("accepted", "identical", "accepted, refused by the peer", "refused by both", "not compared"):
+        return kind
+    if kind == "different":
+        return "different on purpose" if reason else "wrong"
+    return "rightly refused" if reason else "wrongly refused"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("stanok")
@@ -113,9 +132,11 @@ def main():
     parser.add_argument("--timeout", type=float, default=60.0)
     parser.add_argument("--declare", nargs="+", default=[], metavar="CODE", help="codes of the machine builder")
     parser.add_argument("--peer", action="store_true", help="compare with rs274 of LinuxCNC")
+    parser.add_argument("--judged", metavar="FILE", help="programs that are refused or different rightly")
     parser.add_argument("--json", action="store_true", help="print the class of each program as JSON")
     options = parser.parse_args()
     machine = machine_in_dialect(options.machine, options.dialect, options.code_system, options.declare)
+    judged = judgements(options.judged) if options.judged else None
     classes = collections.defaultdict(list)
     try:
         for program in programs_of(options.folders):
@@ -123,6 +144,8 @@ def main():
             if options.peer:
                 kind, found = compare(options.stanok, machine, program, kind)
                 message = message or found
+            if judged is not None:
+                kind = judged_class(kind, program, judged)
             classes[kind].append((program, message))
     finally:
         os.unlink(machine)
@@ -131,6 +154,9 @@ def main():
         return
     total = sum(len(found) for found in classes.values())
     print(f"{total} programs in the dialect {options.dialect} {options.code_system or ''}".rstrip())
+    if judged is not None and total:
+        refused = len(classes.get("wrongly refused", []))
+        print(f"  wrongly refused: {100.0 * refused / total:.1f} %, wrong: {len(classes.get('wrong', []))}")
     for kind, found in sorted(classes.items(), key=lambda item: -len(item[1])):
         print(f"  {len(found):5} {kind}")
         for program, message in found[: options.show if kind not in ("accepted", "identical") else 0]:
