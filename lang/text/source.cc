@@ -29,6 +29,23 @@ int characters(std::string_view text) {
   return static_cast<int>(character_count(text));
 }
 
+// Behind lines with nothing but blanks and one comment in parentheses or behind `;`.
+std::size_t behind_comment_lines(std::string_view text, std::size_t at) {
+  while (at < text.size()) {
+    const std::size_t end = line_end_from(text, at);
+    std::size_t first = at;
+    while (first < end && is_blank(text[first])) ++first;
+    std::size_t last = end;
+    while (last > first && is_blank(text[last - 1])) --last;
+    const bool in_parentheses =
+        last > first && text[first] == '(' && text.find(')', first) == last - 1;
+    const bool is_comment = first == last || text[first] == ';' || in_parentheses;
+    if (!is_comment) return first;
+    at = after_line_end(text, end);
+  }
+  return at;
+}
+
 }  // namespace
 
 Span joined(const Span& first, const Span& last) {
@@ -64,7 +81,7 @@ Source::Source(std::shared_ptr<const SourceText> text, const TextRules& usual)
 
 // The first line that is not empty.
 Span Source::first_words() const {
-  std::size_t first = begin_;
+  std::size_t first = first_;
   const auto is_space = [&](std::size_t at) {
     return is_blank(text_->text[at]) || is_line_end(text_->text[at]);
   };
@@ -76,24 +93,34 @@ Span Source::first_words() const {
 
 void Source::find_dialect(const TextRules& usual) {
   DialectLine line = dialect_line(text(first_words()), usual);
+  const bool says_nothing = !line.rules && line.problem.empty();
+  if (first_ != begin_ && says_nothing) {
+    first_ = begin_;
+    line = dialect_line(text(first_words()), usual);
+  }
   rules_ = line.rules.value_or(usual);
   dialect_problem_ = std::move(line.problem);
 }
 
-// The frame: an optional line that begins with %, before any other text, and its partner.
+// The frame: an optional line that begins with %, with nothing but comments before it, and its
+// partner.
 void Source::find_frame() {
   const std::string_view whole = text();
   std::size_t offset = begin_;
   while (offset < whole.size() && is_leader(whole[offset])) ++offset;
-  const bool framed = offset < whole.size() && whole[offset] == '%';
   const bool has_leader =
       whole.substr(begin_, offset - begin_).find('\0') != std::string_view::npos;
+  first_ = offset;
+  offset = behind_comment_lines(whole, offset);
+  const bool framed = offset < whole.size() && whole[offset] == '%';
+  if (!framed) offset = first_;
   if (framed) {
     lone_frame_mark_ = {offset, 1, line_number(offset)};
     begin_ = after_line_end(whole, line_end_from(whole, offset));
   } else if (has_leader) {
     begin_ = offset;
   }
+  if (first_ == offset) first_ = begin_;
   begin_line_ = line_number(begin_);
   for (std::size_t at = begin_; at < whole.size();) {
     const std::size_t line_end = line_end_from(whole, at);

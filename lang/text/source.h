@@ -73,6 +73,7 @@ class Source {
 
   std::shared_ptr<const SourceText> text_;
   bool is_repaired_ = false;
+  std::size_t first_ = 0;  // comments before the frame, or begin_
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   std::uint32_t begin_line_ = 1;
