@@ -15,6 +15,12 @@
 namespace stanok::lang {
 namespace {
 
+// LinuxCNC begins with radii and feed per minute, on lathes too.
+void begin_as_linuxcnc(ModalState& modal) {
+  modal.codes[Group::diameter] = g(8);
+  modal.codes[Group::feed_mode] = g(94);
+}
+
 // The words of a block, with their spans, from its tree.
 std::vector<IsoWord> places_of_words(const Source& source, const Span& block_span) {
   auto block = Parser::parse_block(source, block_span);
@@ -45,6 +51,7 @@ void BlockRunner::begin(const AxisValues& position_B) {
   ModalState& modal = state_.modal;
   const int tool_active = modal.tool.active;
   modal = default_modal_state(state_.channel.kind);
+  if (vm_.file().source.rules().is_linuxcnc()) begin_as_linuxcnc(modal);
   modal.tool.active = tool_active;
   modal.geometry = state_.channel_words.geometry();
   take_work_offset(modal, state_.tables, modal.frames.work_offset_number);
