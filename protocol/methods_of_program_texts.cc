@@ -122,7 +122,7 @@ constexpr auto text_rows = std::to_array<Method>({
      .help = "planned path of the tip in the workpiece system, from the simulation of the loaded "
              "program; pages of points with the lines that lead to them",
      .result = R"({"channel":"integer","program":"string?","id":"integer?","pages":"integer",
-      "points":"integer","complete":"boolean","geometry":"any"})"},
+      "points":"integer","complete":"boolean","given_up":"string?","geometry":"any"})"},
 });
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
+#include "runtime/foresight/thread_time.h"
 #include "runtime/process_report.h"
 
 namespace stanok::runtime {
@@ -31,9 +31,7 @@ bool is_timed(std::int64_t cycle) {
 }
 
 std::int64_t thread_time_ns() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return time.tv_sec * 1'000'000'000 + time.tv_nsec;
+  return processor_time_of_thread().count();
 }
 
 // Recorded sensors stand for the simulated cut.

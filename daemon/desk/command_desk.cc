@@ -31,6 +31,10 @@ bool begins_program(OperatorAction action) {
   return action == OperatorAction::program_run || action == OperatorAction::program_start;
 }
 
+bool changes_tables(OperatorAction action) {
+  return action == OperatorAction::tool_set || action == OperatorAction::offset_set;
+}
+
 // Its refusal is told with a place.
 bool reads_program(OperatorAction action) {
   return action == OperatorAction::program_load || action == OperatorAction::program_run ||
@@ -82,6 +86,8 @@ void CommandDesk::on_reply(const channels::OperatorReply& reply) {
   Pending& pending = node.mapped();
   if (!reply.ok) return pending.answer(Unexpected<Failure>(refusal(pending, reply)));
   note_acceptance(pending.event);
+  if (changes_tables(pending.event.action())) tables_have_changed_ = true;
+  if (begins_program(pending.event.action())) look_again();
   if (const auto program = program_of(pending.event.command))
     machine_.foresee(pending.event.channel, *program);
   if (begins_program(pending.event.action()))
@@ -134,6 +140,14 @@ bool CommandDesk::is_in_alarm(int channel) const {
   return one != nullptr && one->state == channels::ChannelState::alarm;
 }
 
+// Loaded programs lead elsewhere, take other times and meet other limits with other tables. Many
+// values may change at once, as with tool.load.
+void CommandDesk::look_again() {
+  if (!std::exchange(tables_have_changed_, false)) return;
+  for (const auto& [channel, notes] : notes_)
+    if (!notes.program.empty()) machine_.foresee(channel, notes.program);
+}
+
 void CommandDesk::await_run(int channel, Answer answer) {
   const auto runs = machine_.runs();
   const auto last = std::find_if(runs.rbegin(), runs.rend(),
@@ -146,6 +160,7 @@ void CommandDesk::await_run(int channel, Answer answer) {
 }
 
 void CommandDesk::tick(SteadyTime now) {
+  look_again();
   if (!awaited_.empty()) answer_ended_runs();
   watch_cycle(now);
 }

@@ -60,6 +60,7 @@ class CommandDesk {
   [[nodiscard]] protocol::Failure refusal(const Pending& pending,
                                           const channels::OperatorReply& reply) const;
   [[nodiscard]] bool is_in_alarm(int channel) const;
+  void look_again();
   void await_run(int channel, Answer answer);
   void answer_ended_runs();
   void watch_cycle(SteadyTime now);
@@ -69,6 +70,7 @@ class CommandDesk {
   std::uint64_t last_id_ = 0;
   std::map<std::uint64_t, Pending> pending_;
   std::vector<AwaitedRun> awaited_;
+  bool tables_have_changed_ = false;
   std::int64_t newest_cycle_ = -1;
   SteadyTime newest_cycle_seen_{};
 };

@@ -1,5 +1,8 @@
 #include "daemon/desk/path_pages.h"
 
+#include <cmath>
+
+#include "base/enum_names.h"
 #include "protocol/geometry_bytes.h"
 
 namespace stanok::daemon {
@@ -8,7 +11,22 @@ namespace {
 using nlohmann::json;
 using protocol::Failure;
 using protocol::FailureKind;
+using runtime::GivenUp;
 using runtime::PathPage;
+
+constexpr auto given_up_names = enum_names<GivenUp>({
+    {GivenUp::no, ""},
+    {GivenUp::computing_time, "computing_time"},
+    {GivenUp::machine_time, "machine_time"},
+    {GivenUp::points, "points"},
+    {GivenUp::refused, "refused"},
+    {GivenUp::failed, "failed"},
+    {GivenUp::replaced, "replaced"},
+});
+
+json word_of(GivenUp why) {
+  return why == GivenUp::no ? json(nullptr) : json(std::string(given_up_names[why]));
+}
 
 std::string base64_of(const PathPage& page) {
   protocol::GeometryBytes bytes;
@@ -29,6 +47,22 @@ json ranges_where(const PathPage& page, bool PathPage::Point::* is_so) {
   return ranges;
 }
 
+// [point, value]: the value that holds from this point on.
+template <class Read>
+json steps_of(const PathPage& page, const Read& read) {
+  json steps = json::array();
+  for (std::size_t k = 0; k < page.points.size(); ++k) {
+    const auto now = read(page.points[k]);
+    if (k == 0 || now != read(page.points[k - 1])) steps.push_back({k, now});
+  }
+  return steps;
+}
+
+// In tenths of mm/min.
+double feed_of(const PathPage::Point& point) {
+  return std::round(static_cast<double>(point.feed_mm_per_min) * 10.0) / 10.0;
+}
+
 json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number) {
   return {{"kind", protocol::GeometryKind::path},
           {"id", id},
@@ -36,6 +70,8 @@ json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number) {
           {"count", page.points.size()},
           {"rapid", ranges_where(page, &PathPage::Point::rapid)},
           {"begins", ranges_where(page, &PathPage::Point::begins)},
+          {"feeds", steps_of(page, feed_of)},
+          {"tools", steps_of(page, [](const PathPage::Point& point) { return point.tool; })},
           {"base64", base64_of(page)}};
 }
 
@@ -51,16 +87,21 @@ CommandResult path_answer(const runtime::PlannedPath* path, int channel, const j
   const auto wanted_id = parameters.value("path", std::uint64_t{0});
   if (path == nullptr) {
     if (wanted_id != 0) return path_is_gone();
-    return json{{"channel", channel}, {"program", nullptr}, {"id", nullptr},      {"pages", 0},
-                {"points", 0},        {"complete", false},  {"geometry", nullptr}};
+    return json{{"channel", channel},  {"program", nullptr}, {"id", nullptr},
+                {"pages", 0},          {"points", 0},        {"complete", false},
+                {"given_up", nullptr}, {"geometry", nullptr}};
   }
   if (wanted_id != 0 && wanted_id != path->id()) return path_is_gone();
   const auto state = path->state();
   const auto number = parameters.value("page", std::size_t{0});
   const auto page = path->page(number);
-  json answer = {{"channel", channel},     {"program", path->program()},
-                 {"id", path->id()},       {"pages", state.pages},
-                 {"points", state.points}, {"complete", state.is_complete},
+  json answer = {{"channel", channel},
+                 {"program", path->program()},
+                 {"id", path->id()},
+                 {"pages", state.pages},
+                 {"points", state.points},
+                 {"complete", state.is_complete},
+                 {"given_up", word_of(state.given_up)},
                  {"geometry", nullptr}};
   if (page == nullptr) return answer;
   answer["geometry"] = geometry_of(*page, path->id(), number);

@@ -2,7 +2,8 @@
 //
 // The member `geometry` holds the page: points as Float32 (x, y, z, mm) and behind them their lines
 // as Uint32, all little endian, in base64; `rapid` and `begins` name the points to which a rapid
-// move or no line leads, as ranges [first, behind the last]. `more` is the request for the next
+// move or no line leads, as ranges [first, behind the last]; `feeds` and `tools` are [point, value]
+// of what holds on the way to this point and those behind it. `more` is the request for the next
 // page. stanok-web makes binary frames of these pages.
 #pragma once
 

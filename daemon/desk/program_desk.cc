@@ -10,6 +10,7 @@
 #include "protocol/diagnostic_json.h"
 #include "runtime/axis_positions.h"
 #include "runtime/dry_run.h"
+#include "runtime/foresight/thread_time.h"
 #include "runtime/overlaid_files.h"
 #include "runtime/program_files.h"
 #include "runtime/simulation.h"
@@ -75,10 +76,11 @@ json run_json(const channels::RunReport& run, double cycle_s) {
 }
 
 CommandResult estimate_of(const runtime::SimulationOptions& options, const std::stop_token& stop) {
-  const auto give_up_at = std::chrono::steady_clock::now() + runtime::Foresight::wall_max;
+  const auto give_up_at =
+      runtime::processor_time_of_thread() + runtime::Foresight::computing_time_max;
   bool is_given_up = false;
   const auto result = runtime::simulate(options, {}, [&] {
-    is_given_up = stop.stop_requested() || std::chrono::steady_clock::now() > give_up_at;
+    is_given_up = stop.stop_requested() || runtime::processor_time_of_thread() > give_up_at;
     return is_given_up;
   });
   const std::string& program = options.programs.front().program;

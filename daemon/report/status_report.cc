@@ -298,6 +298,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
   for (std::size_t k = 0; k < config.words.size(); ++k)
     position[config.words[k]] = output.point_W[k].value;
   const runtime::Outlook outlook = machine_.outlook(config.id);
+  const auto path = machine_.planned_path(config.id);
   json alarm = nullptr;
   if (output.state == ChannelState::alarm) {
     const auto last = std::find_if(books.alarms.rbegin(), books.alarms.rend(),
@@ -345,6 +346,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"begins_at", begins_at(machine_.search(config.id))},
           {"predicted_s", number_or_null(outlook.predicted_s)},
           {"remaining_s", number_or_null(outlook.remaining_s)},
+          {"planned_path", path == nullptr ? json(nullptr) : json(path->id())},
           {"foreseen", outlook.foreseen ? alarm_json(*outlook.foreseen) : json(nullptr)}};
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/idle_thread.h"
 #include "runtime/axis_positions.h"
+#include "runtime/foresight/thread_time.h"
 #include "runtime/simulation.h"
 
 namespace stanok::runtime {
@@ -84,7 +85,7 @@ class PathGathering final : public CycleObserver {
   [[nodiscard]] PlannedPathWriter writer_for(int channel) const {
     const auto config = std::find_if(machine_.channels.begin(), machine_.channels.end(),
                                      [&](const auto& one) { return one.id == channel; });
-    return {config->words, new_path_(channel)};
+    return {config->words, machine_.cycle_us * 1e-6, new_path_(channel)};
   }
 
   const channels::MachineConfig& machine_;
@@ -138,11 +139,12 @@ std::optional<double> Timeline::end_of(std::uint32_t run) const {
 
 Foresight::Foresight(const config::MachineFile& file,
                      std::vector<std::filesystem::path> program_roots, PathTaker take_path,
-                     ObstacleTaker take_obstacle)
+                     ObstacleTaker take_obstacle, std::chrono::nanoseconds computing_time)
     : file_(file),
       program_roots_(std::move(program_roots)),
       take_path_(std::move(take_path)),
       take_obstacle_(std::move(take_obstacle)),
+      computing_time_(computing_time),
       thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 Foresight::~Foresight() {
@@ -151,7 +153,8 @@ Foresight::~Foresight() {
 
 void Foresight::look_at(int channel, const std::string& program, const channels::CycleOutput& now,
                         channels::TablesConfig tables) {
-  Order order{channel, program, positions_of_axes(file_.machine, now), {}, std::move(tables)};
+  Order order{channel, program,           positions_of_axes(file_.machine, now),
+              {},      std::move(tables), nullptr};
   for (const channels::ChannelConfig& config : file_.machine.channels) {
     const channels::ChannelOutput* output = now.of_channel(config.id);
     if (output == nullptr) continue;
@@ -159,7 +162,8 @@ void Foresight::look_at(int channel, const std::string& program, const channels:
   }
   const std::lock_guard lock(mutex_);
   foreseen_.erase(channel);
-  paths_.erase(channel);
+  order.path = std::make_shared<PlannedPath>(++last_path_, program);
+  paths_[channel] = order.path;
   orders_[channel] = std::move(order);
   if (at_work_ == channel) is_outdated_ = true;
   wakes_.notify_one();
@@ -181,16 +185,27 @@ void Foresight::work(const std::stop_token& stop) {
       at_work_ = order.channel;
       is_outdated_ = false;
     }
-    try {
-      keep(order.channel, foresee(order, stop));
-    } catch (const std::exception& error) {
-      tell_obstacle(order.program, error.what());
-    } catch (...) {
-      tell_obstacle(order.program, "");
-    }
+    growing_ = {order.path};
+    const GivenUp why = look_ahead(order, stop);
+    for (const auto& path : growing_) path->give_up(why);
+    growing_.clear();
     const std::lock_guard lock(mutex_);
     at_work_ = 0;
   }
+}
+
+// Why it was given up, for the paths that are not complete.
+GivenUp Foresight::look_ahead(const Order& order, const std::stop_token& stop) {
+  try {
+    auto seen = foresee(order, stop);
+    if (!seen) return seen.error();
+    keep(order.channel, std::move(*seen));
+  } catch (const std::exception& error) {
+    tell_obstacle(order.program, error.what());
+  } catch (...) {
+    tell_obstacle(order.program, "");
+  }
+  return GivenUp::failed;
 }
 
 // Where memory ends nobody can be told.
@@ -203,17 +218,17 @@ void Foresight::tell_obstacle(const std::string& program, std::string_view reaso
   }
 }
 
-void Foresight::keep(int channel, std::optional<Foreseen> seen) {
+void Foresight::keep(int channel, Foreseen seen) {
   const std::lock_guard lock(mutex_);
-  if (!seen || is_outdated_) return;
+  if (is_outdated_) return;
   Foreseen& kept = foreseen_[channel];
-  seen->before = std::move(kept.before);
-  kept = std::move(*seen);
+  seen.before = std::move(kept.before);
+  kept = std::move(seen);
 }
 
-// Nothing: it was given up, or is refused. Throws where it cannot be simulated.
-std::optional<Foresight::Foreseen> Foresight::foresee(const Order& order,
-                                                      const std::stop_token& stop) {
+// Throws where it cannot be simulated.
+Expected<Foresight::Foreseen, GivenUp> Foresight::foresee(const Order& order,
+                                                          const std::stop_token& stop) {
   const IdleWork idle(stop);
   Foreseen seen;
   SimulationOptions options;
@@ -227,27 +242,34 @@ std::optional<Foresight::Foreseen> Foresight::foresee(const Order& order,
   options.until_s = machine_time_max_s;
   TimelineWriter writer(seen.timelines, file_.machine.cycle_us * 1e-6);
   PreviewGathering previews(file_.machine);
-  PathGathering paths(file_.machine, [&](int channel) { return new_path(channel, order.program); });
-  const auto give_up_at = std::chrono::steady_clock::now() + wall_max;
-  bool is_given_up = false;
+  PathGathering paths(file_.machine, [&](int channel) { return path_of(channel, order); });
+  const auto give_up_at = processor_time_of_thread() + computing_time_;
+  GivenUp given_up = GivenUp::no;
   const auto interrupted = [&] {
-    is_given_up =
-        stop.stop_requested() || is_outdated_ || std::chrono::steady_clock::now() > give_up_at;
-    return is_given_up;
+    if (stop.stop_requested() || is_outdated_)
+      given_up = GivenUp::replaced;
+    else if (processor_time_of_thread() > give_up_at)
+      given_up = GivenUp::computing_time;
+    return given_up != GivenUp::no;
   };
   const auto result = simulate(options, {&writer, &previews, &paths}, interrupted);
-  if (is_given_up || result.until_reached || !result.refusals.empty()) return std::nullopt;
+  if (given_up == GivenUp::no && result.until_reached) given_up = GivenUp::machine_time;
+  if (given_up == GivenUp::no && !result.refusals.empty()) given_up = GivenUp::refused;
+  if (given_up != GivenUp::no) return Unexpected<GivenUp>(given_up);
   seen.total_s = result.machine_time_s;
   if (!result.alarms.empty()) seen.alarm = result.alarms.front();
   previews.hand_to(take_path_, order.program);
   paths.complete();
+  order.path->complete();
   seen.is_known = true;
   return seen;
 }
 
-std::shared_ptr<PlannedPath> Foresight::new_path(int channel, const std::string& program) {
+std::shared_ptr<PlannedPath> Foresight::path_of(int channel, const Order& order) {
+  if (channel == order.channel) return order.path;
   const std::lock_guard lock(mutex_);
-  auto path = std::make_shared<PlannedPath>(++last_path_, program);
+  auto path = std::make_shared<PlannedPath>(++last_path_, order.program);
+  growing_.push_back(path);
   if (!is_outdated_) paths_[channel] = path;
   return path;
 }

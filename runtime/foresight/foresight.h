@@ -3,7 +3,8 @@
 //
 // After a program was loaded the whole machine is simulated with it, with ideal drives, the tables
 // and the present places of the axes, overrides at 100 %, program stops passed over. One thread, of
-// the idle scheduling class; a simulation is given up after `wall_max`. Any thread may ask.
+// the idle scheduling class; a simulation is given up when it has had the processor for so long,
+// however long it was kept waiting. Any thread may ask.
 #pragma once
 
 #include <atomic>
@@ -19,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/expected.h"
 #include "channels/machine/machine.h"
 #include "config/files/machine_file.h"
 #include "recording/format/path_preview.h"
@@ -61,7 +63,7 @@ struct Outlook {
 
 class Foresight {
  public:
-  static constexpr std::chrono::seconds wall_max{120};
+  static constexpr std::chrono::seconds computing_time_max{120};
 
   // Takes the path of a channel that the program of a simulation moved; called from another thread.
   using PathTaker = std::function<void(recording::PathPreview)>;
@@ -70,7 +72,8 @@ class Foresight {
 
   // `file` outlives it.
   Foresight(const config::MachineFile& file, std::vector<std::filesystem::path> program_roots,
-            PathTaker take_path, ObstacleTaker take_obstacle);
+            PathTaker take_path, ObstacleTaker take_obstacle,
+            std::chrono::nanoseconds computing_time = computing_time_max);
   ~Foresight();
   Foresight(const Foresight&) = delete;
   Foresight& operator=(const Foresight&) = delete;
@@ -82,7 +85,8 @@ class Foresight {
   void begins(int channel, RunsOfChannels before);
 
   [[nodiscard]] Outlook outlook(int channel, const channels::CycleOutput& now) const;
-  // Of the newest simulation that moves the channel, as far as it has come; nullptr: none does.
+  // Of the program that was loaded, or else of the newest simulation that moves the channel, as far
+  // as it has come; nullptr: there is none.
   [[nodiscard]] std::shared_ptr<const PlannedPath> planned_path(int channel) const;
 
  private:
@@ -92,6 +96,7 @@ class Foresight {
     std::vector<double> axes;  // where they stand, machine axis order
     std::vector<std::pair<int, int>> schemes;
     channels::TablesConfig tables;
+    std::shared_ptr<PlannedPath> path;
   };
   struct Foreseen {
     std::map<int, Timeline> timelines;  // by channel
@@ -103,9 +108,11 @@ class Foresight {
 
   void work(const std::stop_token& stop);
   void tell_obstacle(const std::string& program, std::string_view reason) const;
-  void keep(int channel, std::optional<Foreseen> seen);
-  [[nodiscard]] std::optional<Foreseen> foresee(const Order& order, const std::stop_token& stop);
-  [[nodiscard]] std::shared_ptr<PlannedPath> new_path(int channel, const std::string& program);
+  void keep(int channel, Foreseen seen);
+  [[nodiscard]] Expected<Foreseen, GivenUp> foresee(const Order& order,
+                                                    const std::stop_token& stop);
+  [[nodiscard]] GivenUp look_ahead(const Order& order, const std::stop_token& stop);
+  [[nodiscard]] std::shared_ptr<PlannedPath> path_of(int channel, const Order& order);
   [[nodiscard]] static std::optional<double> reached(const Foreseen& foreseen, int channel,
                                                      const channels::CycleOutput& now);
 
@@ -113,13 +120,15 @@ class Foresight {
   std::vector<std::filesystem::path> program_roots_;
   PathTaker take_path_;
   ObstacleTaker take_obstacle_;
+  std::chrono::nanoseconds computing_time_;
   mutable std::mutex mutex_;
   std::condition_variable_any wakes_;
   std::map<int, Order> orders_;                        // by channel
   std::map<int, Foreseen> foreseen_;                   // by the channel whose program it is
   std::map<int, std::shared_ptr<PlannedPath>> paths_;  // by channel
   std::uint32_t last_path_ = 0;
-  std::atomic<int> at_work_{0};  // channel of the simulation under way
+  std::vector<std::shared_ptr<PlannedPath>> growing_;  // of the thread that writes
+  std::atomic<int> at_work_{0};                        // channel of the simulation under way
   std::atomic<bool> is_outdated_{false};
   std::jthread thread_;
 };

@@ -1,8 +1,10 @@
 #include "runtime/foresight/planned_path.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/place.h"
+#include "base/units.h"
 
 namespace stanok::runtime {
 
@@ -35,14 +37,21 @@ void PlannedPath::finish_page() {
 }
 
 void PlannedPath::complete() {
+  if (is_full_) return give_up(GivenUp::points);
   finish_page();
   const std::lock_guard lock(mutex_);
-  state_.is_complete = !is_full_;
+  state_.is_complete = true;
 }
 
-PlannedPathWriter::PlannedPathWriter(std::span<const std::string> words,
+void PlannedPath::give_up(GivenUp why) {
+  finish_page();
+  const std::lock_guard lock(mutex_);
+  if (!state_.is_complete && state_.given_up == GivenUp::no) state_.given_up = why;
+}
+
+PlannedPathWriter::PlannedPathWriter(std::span<const std::string> words, double cycle_s,
                                      std::shared_ptr<PlannedPath> path)
-    : path_(std::move(path)) {
+    : cycle_s_(cycle_s), path_(std::move(path)) {
   constexpr std::array<std::string_view, 3> coordinates{"X", "Y", "Z"};
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const auto word = std::find(words.begin(), words.end(), coordinates[k]);
@@ -58,29 +67,54 @@ void PlannedPathWriter::add(const channels::ChannelOutput& output) {
   scheme_ = output.scheme;
   if (!output.running || !is_same) end_line();
   if (!output.running || !output.moving) return;
-  recording::PlotPoint point{};
-  for (std::size_t k = 0; k < point.size(); ++k) {
-    if (axes_[k]) point[k] = output.point_W[*axes_[k]].value;
-  }
-  const std::uint32_t line = output.tag.line;
-  const bool rapid = output.feed_commanded <= 0.0;
-  const bool turns = is_open_ && (line != line_ || rapid != rapid_);
+  const recording::PlotPoint point = point_of(output);
+  if (is_open_ && is_elsewhere(point)) end_line();
+  const Way way = way_of(output);
+  const bool turns = is_open_ && way != way_;
   if (turns && filter_.end()) put(last_, Joint::continues);
-  line_ = line;
-  rapid_ = rapid;
+  way_ = way;
+  feed_mm_per_min_ = output.feed_commanded * seconds_per_minute;
   if (!is_open_) put(point, Joint::begins);
   if (!is_open_ || turns) filter_.begin(is_open_ ? last_ : point);
   is_open_ = true;
   if (const auto corner = filter_.add(point)) put(*corner, Joint::continues);
   last_ = point;
+  last_speed_ = speed_;
+}
+
+PlannedPathWriter::Way PlannedPathWriter::way_of(const channels::ChannelOutput& output) {
+  return {output.tag.line, output.feed_commanded <= 0.0, output.tool.number};
+}
+
+recording::PlotPoint PlannedPathWriter::point_of(const channels::ChannelOutput& output) {
+  recording::PlotPoint point{};
+  double speed2 = 0.0;
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    if (!axes_[k]) continue;
+    const auto& coordinate = output.point_W[*axes_[k]];
+    point[k] = coordinate.value;
+    speed2 += coordinate.first * coordinate.first;
+  }
+  speed_ = std::sqrt(speed2);
+  return point;
+}
+
+// The same place has other coordinates where a block chooses another offset, plane or rotation: it
+// is further from the last one than the tip moves in a cycle.
+bool PlannedPathWriter::is_elsewhere(const recording::PlotPoint& point) const {
+  constexpr double unseen_mm = 0.01;
+  const double moved = std::hypot(point[0] - last_[0], point[1] - last_[1], point[2] - last_[2]);
+  return moved > 2.0 * std::max(speed_, last_speed_) * cycle_s_ + unseen_mm;
 }
 
 void PlannedPathWriter::put(const recording::PlotPoint& point, Joint joint) {
   path_->add({.place_mm = {static_cast<float>(point[0]), static_cast<float>(point[1]),
                            static_cast<float>(point[2])},
-              .line = line_,
+              .line = way_.line,
               .begins = joint == Joint::begins,
-              .rapid = rapid_});
+              .rapid = way_.rapid,
+              .feed_mm_per_min = static_cast<float>(feed_mm_per_min_),
+              .tool = way_.tool});
 }
 
 void PlannedPathWriter::end_line() {

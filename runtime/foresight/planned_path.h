@@ -20,12 +20,25 @@
 
 namespace stanok::runtime {
 
+// Why a path does not lead to the end of its program.
+enum class GivenUp : std::uint8_t {
+  no,
+  computing_time,  // it took too long to compute
+  machine_time,    // the program takes too long
+  points,          // it has too many points
+  refused,         // the program does not start
+  failed,          // the computation broke off
+  replaced,        // something else is looked at
+};
+
 struct PathPage {
   struct Point {
     std::array<float, 3> place_mm{};
     std::uint32_t line = 0;
     bool begins = false;  // no line leads to it
     bool rapid = false;
+    float feed_mm_per_min = 0.0F;  // that is asked for on the way to it; 0 in rapid
+    std::int32_t tool = 0;
   };
   std::vector<Point> points;
 };
@@ -46,14 +59,17 @@ class PlannedPath {
     std::size_t pages = 0;
     std::size_t points = 0;
     bool is_complete = false;
+    GivenUp given_up = GivenUp::no;
   };
   [[nodiscard]] State state() const;
   // nullptr: it is not there yet.
   [[nodiscard]] std::shared_ptr<const PathPage> page(std::size_t number) const;
 
-  // The thread that writes. Points beyond the bound are left out; the path never is complete then.
+  // The thread that writes. Points beyond the bound are left out; the path is given up then.
   void add(const PathPage::Point& point);
   void complete();
+  // Unless it is complete, or given up already.
+  void give_up(GivenUp why);
 
  private:
   void finish_page();
@@ -71,24 +87,39 @@ class PlannedPath {
 class PlannedPathWriter {
  public:
   // `words` of the channel's axes, in their order: X, Y and Z make the point.
-  PlannedPathWriter(std::span<const std::string> words, std::shared_ptr<PlannedPath> path);
+  PlannedPathWriter(std::span<const std::string> words, double cycle_s,
+                    std::shared_ptr<PlannedPath> path);
   void add(const channels::ChannelOutput& output);
   void complete();
   [[nodiscard]] const std::shared_ptr<PlannedPath>& path() const { return path_; }
 
  private:
   enum class Joint { begins, continues };
+  // What holds for the way to a point.
+  struct Way {
+    std::uint32_t line = 0;
+    bool rapid = false;
+    std::int32_t tool = 0;
+
+    friend bool operator==(const Way&, const Way&) = default;
+  };
+  [[nodiscard]] static Way way_of(const channels::ChannelOutput& output);
+  [[nodiscard]] recording::PlotPoint point_of(const channels::ChannelOutput& output);
+  [[nodiscard]] bool is_elsewhere(const recording::PlotPoint& point) const;
   void put(const recording::PlotPoint& point, Joint joint);
   void end_line();
 
   std::array<std::optional<std::size_t>, 3> axes_;
+  double cycle_s_;
   std::shared_ptr<PlannedPath> path_;
   recording::ChordFilter filter_;
   // Of the line that grows.
   bool is_open_ = false;
   recording::PlotPoint last_{};
-  std::uint32_t line_ = 0;
-  bool rapid_ = false;
+  double last_speed_ = 0.0;  // mm/s
+  double speed_ = 0.0;
+  Way way_;
+  double feed_mm_per_min_ = 0.0;  // laws and force control change it from cycle to cycle
   std::uint32_t run_ = 0;
   std::int32_t scheme_ = 0;
 };

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <thread>
 
+#include "runtime/foresight/thread_time.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
 
@@ -163,12 +164,86 @@ TEST_F(ForesightTest, KnowsThePathWithTheLinesThatLeadAlongIt) {
   EXPECT_NEAR(page->points.back().place_mm[2], 5.0, 1e-5);
 }
 
+// No line leads from where the tip is in one work offset to the same place in another one.
+TEST_F(ForesightTest, APathBeginsAnewInAnotherWorkOffset) {
+  write("two.nc", "G21 G90 G17 G54\nG1 X10 F1000\nG10 L2 P2 X5 Y0 Z0\nG55\nG1 X20 F500\nM30\n");
+  foresight.look_at(1, "two.nc", now, file.machine.tables);
+  static_cast<void>(wait_for_prediction());
+  const auto page = foresight.planned_path(1)->page(0);
+  ASSERT_EQ(page->points.size(), 4U);
+  std::vector<double> x;
+  std::vector<double> feeds;
+  std::vector<bool> begins;
+  for (const PathPage::Point& point : page->points) {
+    x.push_back(point.place_mm[0]);
+    feeds.push_back(point.feed_mm_per_min);
+    begins.push_back(point.begins);
+  }
+  EXPECT_THAT(x, ::testing::Pointwise(::testing::DoubleNear(0.001), {0.0, 10.0, 5.0, 20.0}));
+  EXPECT_THAT(feeds,
+              ::testing::Pointwise(::testing::DoubleNear(0.01), {1000.0, 1000.0, 500.0, 500.0}));
+  EXPECT_THAT(begins, ::testing::ElementsAre(true, false, true, false));
+}
+
 TEST_F(ForesightTest, ForgetsWhatANewProgramReplaces) {
-  write("a.nc", "G4 P50\nM30\n");
+  write("a.nc", "while (1 > 0) {\n  G4 P0.001\n}\nM30\n");
   write("b.nc", "G4 P2\nM30\n");
   foresight.look_at(1, "a.nc", now, file.machine.tables);
+  const auto first = foresight.planned_path(1);
   foresight.look_at(1, "b.nc", now, file.machine.tables);
   EXPECT_NEAR(*wait_for_prediction().predicted_s, 2.0, 0.1);
+  EXPECT_NE(foresight.planned_path(1)->id(), first->id());
+}
+
+TEST_F(ForesightTest, APathWithoutMotionIsCompleteAndEmpty) {
+  write("rests.nc", "G4 P1\nM30\n");
+  foresight.look_at(1, "rests.nc", now, file.machine.tables);
+  EXPECT_EQ(foresight.planned_path(1)->program(), "rests.nc");
+  static_cast<void>(wait_for_prediction());
+  EXPECT_TRUE(foresight.planned_path(1)->state().is_complete);
+  EXPECT_EQ(foresight.planned_path(1)->state().points, 0U);
+}
+
+GivenUp wait_until_given_up(const Foresight& foresight) {
+  constexpr int looks_max = 18'000;
+  for (int n = 0; n < looks_max; ++n) {
+    const auto state = foresight.planned_path(1)->state();
+    if (state.given_up != GivenUp::no || state.is_complete) return state.given_up;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return GivenUp::no;
+}
+
+TEST_F(ForesightTest, SaysWhyAPathDoesNotLeadToTheEnd) {
+  write("endless.nc", "while (1 > 0) {\n  G1 X1 F60000\n  X0\n}\nM30\n");
+  write("wrong.nc", "G1 X1 Q5 F1000\nM30\n");
+  Foresight hasty{file,
+                  {folder.path()},
+                  [](const recording::PathPreview&) {},
+                  [](const std::string& obstacle) { ADD_FAILURE() << obstacle; },
+                  std::chrono::milliseconds(200)};
+  hasty.look_at(1, "endless.nc", now, file.machine.tables);
+  EXPECT_EQ(wait_until_given_up(hasty), GivenUp::computing_time);
+  EXPECT_GT(hasty.planned_path(1)->state().points, 0U) << "what there was is kept";
+  hasty.look_at(1, "wrong.nc", now, file.machine.tables);
+  EXPECT_EQ(wait_until_given_up(hasty), GivenUp::refused);
+}
+
+// A computer that is busy with other things takes no path away.
+TEST(ProcessorTime, DoesNotCountWhileTheThreadWaits) {
+  const auto before = processor_time_of_thread();
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_LT(processor_time_of_thread() - before, std::chrono::milliseconds(50));
+  while (processor_time_of_thread() - before < std::chrono::milliseconds(60)) continue;
+}
+
+TEST(PlannedPath, SaysThatItHasTooManyPointsAndKeepsTheFirst) {
+  PlannedPath path(1, "long.nc");
+  for (std::size_t n = 0; n < PlannedPath::points_max + PlannedPath::page_points; ++n) path.add({});
+  path.complete();
+  EXPECT_EQ(path.state().given_up, GivenUp::points);
+  EXPECT_FALSE(path.state().is_complete);
+  EXPECT_GE(path.state().points, PlannedPath::points_max);
 }
 
 // Neither moves nor ends: the simulation never comes to a cycle.

@@ -142,6 +142,7 @@ export interface Methods {
         rapid: number;
         spindle: number;
       };
+      planned_path: number | null;
       position: Record<string, number>;
       predicted_s: number | null;
       program: string | null;
@@ -321,6 +322,7 @@ export interface Methods {
       channel: number;
       complete: boolean;
       geometry: unknown;
+      given_up: string | null;
       id: number | null;
       pages: number;
       points: number;
