@@ -16,6 +16,7 @@ namespace stanok::protocol::rows {
 [[nodiscard]] std::span<const Method> machine_methods();
 [[nodiscard]] std::span<const Method> program_text_methods();
 [[nodiscard]] std::span<const Method> program_methods();
+[[nodiscard]] std::span<const Method> queue_methods();
 [[nodiscard]] std::span<const Method> axes_methods();
 [[nodiscard]] std::span<const Method> tables_methods();
 [[nodiscard]] std::span<const Method> hand_methods();

@@ -15,8 +15,8 @@ std::vector<Method> all_rows() {
   std::vector<Method> all;
   for (const auto& part :
        {rows::machine_methods(), rows::program_text_methods(), rows::program_methods(),
-        rows::axes_methods(), rows::tables_methods(), rows::hand_methods(), rows::process_methods(),
-        rows::scope_methods(), rows::daemon_methods()})
+        rows::queue_methods(), rows::axes_methods(), rows::tables_methods(), rows::hand_methods(),
+        rows::process_methods(), rows::scope_methods(), rows::daemon_methods()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -25,6 +25,7 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
     {"machine", "the machine as a whole"},
     {"channel", "channels: state and position"},
     {"program", "programs: load, run, hold, stop"},
+    {"queue", "programs that begin one after the other"},
     {"override", "feed, rapid and spindle overrides"},
     {"kinematics", "kinematic schemes of a channel"},
     {"drive", "drives and their bus"},

@@ -132,6 +132,7 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
       if (resets || !is_in_alarm(channel.id)) notes.alarms_cleared = notes.alarms_acknowledged;
     }
   }
+  if (on_accepted_) on_accepted_(event);
 }
 
 bool CommandDesk::is_in_alarm(int channel) const {

@@ -39,6 +39,10 @@ class CommandDesk {
   void tick(SteadyTime now);
   // For a command that another desk has had accepted.
   void note_acceptance(const channels::OperatorEvent& event);
+  // Of all that is accepted, once.
+  void watch(std::function<void(const channels::OperatorEvent&)> on_accepted) {
+    on_accepted_ = std::move(on_accepted);
+  }
 
   [[nodiscard]] std::size_t waiting() const { return pending_.size() + awaited_.size(); }
 
@@ -67,6 +71,7 @@ class CommandDesk {
 
   RunningMachine& machine_;
   NotesOfChannels& notes_;
+  std::function<void(const channels::OperatorEvent&)> on_accepted_;
   std::uint64_t last_id_ = 0;
   std::map<std::uint64_t, Pending> pending_;
   std::vector<AwaitedRun> awaited_;

@@ -67,10 +67,13 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       on_shutdown_(std::move(on_shutdown)),
       desk_(machine, notes_),
       programs_(machine),
+      queue_(machine, desk_, control_, notes_, description_.state_directory / "queue.txt"),
       surfaces_(machine),
       logs_(machine),
       report_(machine, notes_),
-      started_(std::chrono::steady_clock::now()) {}
+      started_(std::chrono::steady_clock::now()) {
+  desk_.watch([this](const channels::OperatorEvent& accepted) { queue_.note(accepted); });
+}
 
 const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
   static const std::map<std::string_view, Handler> table = {
@@ -116,6 +119,23 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
        }},
       {"program.history",
        [](Dispatch& d, const json& p) { return d.report_.program_history(p.value("channel", 0)); }},
+      {"queue.list",
+       [](Dispatch& d, const json& p) { return d.queue_.list(p.value("channel", 0)); }},
+      {"queue.add",
+       [](Dispatch& d, Call call) { d.change_queue(std::move(call), &ProgramQueue::add); }},
+      {"queue.remove",
+       [](Dispatch& d, Call call) { d.change_queue(std::move(call), &ProgramQueue::remove); }},
+      {"queue.move",
+       [](Dispatch& d, Call call) { d.change_queue(std::move(call), &ProgramQueue::move); }},
+      {"queue.start",
+       [](Dispatch& d, const Call& call) {
+         return d.queue_.start(d.channel_or_first(call.parameters),
+                               {call.session.id, call.session.peer, call.session.stops_before});
+       }},
+      {"queue.stop",
+       [](Dispatch& d, const Call& call) {
+         return d.queue_.stop(d.channel_or_first(call.parameters), call.session.peer);
+       }},
       {"kinematics.list",
        [](Dispatch& d, const json& p) { return d.report_.kinematics_list(d.channel_or_first(p)); }},
       {"kinematics.status",
@@ -308,6 +328,16 @@ void Dispatch::write_program(Call call) {
                 {"bytes", call.parameters["text"].get_ref<const std::string&>().size()}};
   programs_.write(call.session.id, call.parameters,
                   logged(call, std::move(call.answer), std::move(shown)));
+}
+
+// Whoever has the channel to itself has its queue, too.
+void Dispatch::change_queue(Call call, QueueChange change) {
+  const int channel = channel_or_first(call.parameters);
+  Answer answer = logged(call, std::move(call.answer), call.parameters);
+  const auto obstacle =
+      control_.obstacle(channels::OperatorAction::program_run, channel, call.session.id);
+  if (obstacle) return answer(Unexpected<Failure>(*obstacle));
+  (queue_.*change)(call.parameters, channel, std::move(answer));
 }
 
 void Dispatch::remove_program(Call call) {

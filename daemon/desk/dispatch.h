@@ -16,6 +16,7 @@
 #include "daemon/desk/command_desk.h"
 #include "daemon/desk/log_desk.h"
 #include "daemon/desk/program_desk.h"
+#include "daemon/desk/program_queue.h"
 #include "daemon/desk/subscription.h"
 #include "daemon/desk/surface_desk.h"
 #include "daemon/report/measurement_notes.h"
@@ -64,6 +65,7 @@ class Dispatch {
     tell_control();
     desk_.tick(now);
     programs_.tick();
+    queue_.tick();
     surfaces_.tick();
     logs_.tick();
   }
@@ -105,6 +107,9 @@ class Dispatch {
   void load_tables(Call call);
   void write_program(Call call);
   void remove_program(Call call);
+  using QueueChange = void (ProgramQueue::*)(const nlohmann::json& parameters, int channel,
+                                             Answer answer);
+  void change_queue(Call call, QueueChange change);
   [[nodiscard]] static Answer logged(const Call& call, Answer answer, nlohmann::json shown);
   [[nodiscard]] CommandResult tool_get(const nlohmann::json& parameters) const;
   [[nodiscard]] CommandResult reset_drive(const Call& call);
@@ -125,6 +130,7 @@ class Dispatch {
   std::map<int, int> told_control_;  // session by channel, as the cycle was told; -1: not known
   CommandDesk desk_;
   ProgramDesk programs_;
+  ProgramQueue queue_;
   SurfaceDesk surfaces_;
   LogDesk logs_;
   StatusReport report_;

@@ -10,6 +10,13 @@
 
 namespace stanok::daemon {
 
+// Programs that wait (program_queue.h).
+struct QueueNotes {
+  std::size_t programs = 0;
+  bool is_started = false;
+  std::uint64_t version = 0;  // another one with every change
+};
+
 struct ChannelNotes {
   std::string program;  // loaded last
   double rapid_override_percent = 100.0;
@@ -21,6 +28,7 @@ struct ChannelNotes {
   // Numbers of the newest alarm that was. What is cleared is never active again.
   std::uint64_t alarms_acknowledged = 0;
   std::uint64_t alarms_cleared = 0;
+  QueueNotes queue;
 };
 
 // By channel id.

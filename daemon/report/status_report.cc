@@ -346,6 +346,10 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"begins_at", begins_at(machine_.search(config.id))},
           {"predicted_s", number_or_null(outlook.predicted_s)},
           {"remaining_s", number_or_null(outlook.remaining_s)},
+          {"queue",
+           {{"programs", notes.queue.programs},
+            {"started", notes.queue.is_started},
+            {"version", notes.queue.version}}},
           {"planned_path", path == nullptr ? json(nullptr) : json(path->id())},
           {"foreseen", outlook.foreseen ? alarm_json(*outlook.foreseen) : json(nullptr)}};
 }

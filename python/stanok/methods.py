@@ -426,6 +426,78 @@ class OverrideMethods:
         return self._call("override.spindle", _given(percent=percent, channel=channel))
 
 
+class QueueMethods:
+    """Methods ``queue.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def list(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Programs that wait, of one channel or all; what stopped a queue.
+
+        ``queue.list``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("queue.list", _given(channel=channel))
+
+    def add(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
+        """Put a program at the end of the queue of a channel.
+
+        ``queue.add``, for the role operator.
+
+        Args:
+            program: program file beneath the program root.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("queue.add", _given(program=program, channel=channel))
+
+    def remove(self, id: int, *, channel: int | None = None) -> dict[str, Any]:
+        """Take a program out of the queue, unless it is under way.
+
+        ``queue.remove``, for the role operator.
+
+        Args:
+            id: which entry, as queue.list tells it.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("queue.remove", _given(id=id, channel=channel))
+
+    def move(self, id: int, place: int, *, channel: int | None = None) -> dict[str, Any]:
+        """Give a program another place in the queue.
+
+        ``queue.move``, for the role operator.
+
+        Args:
+            id: which entry, as queue.list tells it.
+            place: its new place, from 1; 1 to 500.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("queue.move", _given(id=id, place=place, channel=channel))
+
+    def start(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Run the programs of the queue one after the other, until one fails, somebody stops or resets something,
+        takes the channel, or an alarm comes.
+
+        ``queue.start``, for the role operator.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("queue.start", _given(channel=channel))
+
+    def stop(self, *, channel: int | None = None) -> dict[str, Any]:
+        """Begin no further program; the one under way goes on.
+
+        ``queue.stop``, for the role operator.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("queue.stop", _given(channel=channel))
+
+
 class KinematicsMethods:
     """Methods ``kinematics.*``."""
 
@@ -965,6 +1037,7 @@ class Methods:
         self.channel = ChannelMethods(call)
         self.program = ProgramMethods(call)
         self.override = OverrideMethods(call)
+        self.queue = QueueMethods(call)
         self.kinematics = KinematicsMethods(call)
         self.drive = DriveMethods(call)
         self.alarm = AlarmMethods(call)

@@ -75,6 +75,9 @@ def check(operator):
     ask("history.path", file=log)
     ask("log.start")
     ask("log.stop")
+    entry = ask("queue.add", program="new.nc")["queues"][0]["programs"][0]["id"]
+    ask("queue.move", id=entry, place=1)
+    ask("queue.remove", id=entry)
     ask("machine.on")
     ask("home")
     ask("program.load", program="part.nc", wait="done")

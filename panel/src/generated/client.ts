@@ -147,6 +147,11 @@ export interface Methods {
       predicted_s: number | null;
       program: string | null;
       program_status: string;
+      queue: {
+        programs: number;
+        started: boolean;
+        version: number;
+      };
       remaining_s: number | null;
       run: number;
       scheme: number;
@@ -521,6 +526,124 @@ export interface Methods {
     };
     result: {
       accepted: boolean;
+    };
+  };
+  /** programs that wait, of one channel or all; what stopped a queue */
+  "queue.list": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      queues: ({
+        channel: number;
+        programs: {
+          id: number;
+          program: string;
+        }[];
+        started: boolean;
+        started_by: string | null;
+        stopped_by: string | null;
+        under_way: number | null;
+      })[];
+    };
+  };
+  /** put a program at the end of the queue of a channel */
+  "queue.add": {
+    params: {
+      program: string;
+      channel?: number;
+    };
+    result: {
+      queues: ({
+        channel: number;
+        programs: {
+          id: number;
+          program: string;
+        }[];
+        started: boolean;
+        started_by: string | null;
+        stopped_by: string | null;
+        under_way: number | null;
+      })[];
+    };
+  };
+  /** take a program out of the queue, unless it is under way */
+  "queue.remove": {
+    params: {
+      id: number;
+      channel?: number;
+    };
+    result: {
+      queues: ({
+        channel: number;
+        programs: {
+          id: number;
+          program: string;
+        }[];
+        started: boolean;
+        started_by: string | null;
+        stopped_by: string | null;
+        under_way: number | null;
+      })[];
+    };
+  };
+  /** give a program another place in the queue */
+  "queue.move": {
+    params: {
+      id: number;
+      place: number;
+      channel?: number;
+    };
+    result: {
+      queues: ({
+        channel: number;
+        programs: {
+          id: number;
+          program: string;
+        }[];
+        started: boolean;
+        started_by: string | null;
+        stopped_by: string | null;
+        under_way: number | null;
+      })[];
+    };
+  };
+  /** run the programs of the queue one after the other, until one fails, somebody stops or resets something, takes the channel, or an alarm comes */
+  "queue.start": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      queues: ({
+        channel: number;
+        programs: {
+          id: number;
+          program: string;
+        }[];
+        started: boolean;
+        started_by: string | null;
+        stopped_by: string | null;
+        under_way: number | null;
+      })[];
+    };
+  };
+  /** begin no further program; the one under way goes on */
+  "queue.stop": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      queues: ({
+        channel: number;
+        programs: {
+          id: number;
+          program: string;
+        }[];
+        started: boolean;
+        started_by: string | null;
+        stopped_by: string | null;
+        under_way: number | null;
+      })[];
     };
   };
   /** kinematic schemes of a channel */
@@ -1202,6 +1325,12 @@ export const method_roles: Record<MethodName, string> = {
   "override.feed": 'operator',
   "override.rapid": 'operator',
   "override.spindle": 'operator',
+  "queue.list": 'observer',
+  "queue.add": 'operator',
+  "queue.remove": 'operator',
+  "queue.move": 'operator',
+  "queue.start": 'operator',
+  "queue.stop": 'operator',
   "kinematics.list": 'observer',
   "kinematics.select": 'operator',
   "kinematics.status": 'observer',
