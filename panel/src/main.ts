@@ -3,6 +3,8 @@ import { mount } from 'svelte';
 import App from './App.svelte';
 import { signInByToken, takeToken } from './rpc/session';
 import { route } from './stores/route.svelte';
+import { settings } from './stores/settings.svelte';
+import { spoken } from './stores/spoken.svelte';
 import { store } from './stores/machine.svelte';
 import './style/tokens.css';
 import './style/base.css';
@@ -21,6 +23,12 @@ async function begin(): Promise<void> {
   store.start();
 }
 
-const place = document.getElementById('panel');
-if (place !== null) mount(App, { target: place });
+async function show(): Promise<void> {
+  // Hold and stop are there even where no text has come.
+  await spoken.speak(settings.language).catch(() => undefined);
+  const place = document.getElementById('panel');
+  if (place !== null) mount(App, { target: place });
+}
+
+void show();
 void begin();

@@ -199,3 +199,36 @@ test('cursors tell values and differences; the recording is a table', async () =
   );
   await until('the program is over', isOver, 90);
 });
+
+test('programs of the queue begin one after the other, and none behind a reset', async () => {
+  const move = 'G21 G90\nG53 G1 X-5 F6000\nG53 X0\n';
+  writeFileSync(join(stage.programs, 'short.nc'), `${move}M30\n`);
+  const endless = `for (num turn = 0; turn < 100000; turn++) {\n${move}}\nM30\n`;
+  writeFileSync(join(stage.programs, 'long.nc'), endless);
+  const queue = page.getByRole('region', { name: 'Queue of channel 1' });
+  const waiting = async () => (await stage.status()).queue.programs;
+  await stage.switchOn();
+  for (const [k, name] of ['short.nc', 'short.nc', 'long.nc', 'short.nc'].entries()) {
+    await page.evaluate((of) => (location.hash = `#/programs/${of}`), name);
+    await page.getByRole('heading', { name }).waitFor();
+    await page.getByRole('button', { name: 'To the queue' }).click();
+    await until('it is in the queue', async () => (await waiting()) === k + 1);
+  }
+  assert.ok(!(await stage.status()).queue.started);
+  await queue.getByRole('button', { name: 'Start the queue' }).click();
+  await queue.getByRole('button', { name: 'Yes' }).click();
+  await queue.getByText('under way').waitFor();
+  const status = () => stage.status();
+  await until('the third one', async () => (await status()).program === 'long.nc', 60);
+  await until('two that wait', async () => (await waiting()) === 2);
+  await queue.getByText('long.nc').waitFor();
+  assert.deepEqual(await findings(), []);
+  await picture('queue');
+  await stage.client.call('program.reset', { channel: 1 });
+  await queue.getByText('Stopped:').waitFor();
+  await until('it is over', isOver);
+  assert.equal(await waiting(), 2);
+  await queue.getByRole('button', { name: 'long.nc: out of the queue' }).click();
+  await until('one that waits', async () => (await waiting()) === 1);
+  assert.ok(!(await status()).queue.started);
+});

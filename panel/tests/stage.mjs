@@ -13,7 +13,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 export const root = fileURLToPath(new URL('../../', import.meta.url));
-const bin = process.env.STANOK_BIN ?? join(root, 'build/release/bin');
+export const bin = process.env.STANOK_BIN ?? join(root, 'build/release/bin');
 const chromiumPath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
 
 const patience_ms = 60_000;

@@ -30,7 +30,10 @@ import { magnification } from '../style/resolved';
 import { Levels, type Sight } from './levels';
 import { Pairs } from './pairs';
 import { PicturePace } from './picture_pace';
-import { PointColours, type Colour } from './point_colours';
+import { PointColours, type Colour, type Painter } from './point_colours';
+import { FeedClasses, toolsOf, type Shade } from './shades';
+import type { Shading } from './shading';
+import { colourOfTool } from './tool_colours';
 import { way, type Track } from './track';
 import { colouredByEnd, PointValues, TrackLine } from './track_line';
 import { WorkpieceMesh } from './workpiece_mesh';
@@ -39,6 +42,14 @@ export type Look = 'iso' | 'top' | 'front' | 'side';
 /** Milled parts stand on XY with Z up; turned ones lie with Z to the right and X up. */
 export type Lie = 'milled' | 'turned';
 export type Place = readonly [x: number, y: number, z: number];
+
+/** From where a picture is seen, and of what it is. */
+export interface Standpoint {
+  of: string;
+  look: Look;
+  /** Null: from where the look has the whole path in view. */
+  from: { eye: Place; target: Place } | null;
+}
 
 export interface ToolShape {
   radius: number;
@@ -99,6 +110,8 @@ export class PathScene {
   readonly #traced: Shown;
   readonly #colours: PointColours;
   readonly #colourValues: PointValues;
+  readonly #feeds: FeedClasses;
+  #shading: Shading = 'kind';
   readonly #colourOf = { feed: [0, 0, 0] as Colour, rapid: [0, 0, 0] as Colour };
   readonly #lines: Record<'plan' | 'done' | 'trace' | 'marked', TrackLine>;
   readonly workpiece = new WorkpieceMesh(() => this.#showWorkpiece());
@@ -106,13 +119,13 @@ export class PathScene {
   readonly #measured: Line;
   readonly #limits = new Box3Helper(new Box3());
   #markedLine: number | null = null;
-  #markedCount = 0;
+  #markedOf = { count: 0, generation: -1 };
   readonly #framed = new Box3();
   readonly #pace: PicturePace;
   readonly #frustum = new Frustum();
   #screen: [width: number, height: number] = [1, 1];
   #ratio = 1;
-  #generation = -1;
+  #of = '';
   #reached = 0;
   #look: Look;
   /** Until a person turns or zooms the picture, it keeps the whole path in view. */
@@ -124,6 +137,7 @@ export class PathScene {
     private readonly planned: Track,
     private readonly traced: Track,
     private readonly lie: Lie,
+    standpoint?: Standpoint,
   ) {
     this.#look = firstLook[lie];
     this.#renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -134,9 +148,8 @@ export class PathScene {
     });
     this.#planned = { levels: new Levels(planned), pairs: new Pairs() };
     this.#traced = { levels: new Levels(traced), pairs: new Pairs() };
-    this.#colours = new PointColours(planned, (index) =>
-      planned.ways[index] === way.rapid ? this.#colourOf.rapid : this.#colourOf.feed,
-    );
+    this.#feeds = new FeedClasses(planned);
+    this.#colours = new PointColours(planned, this.#painter());
     this.#colourValues = new PointValues(() => this.#colours.values, 3, true);
     const [places, trace] = [PointValues.places(planned), PointValues.places(traced)];
     const materials = this.#materials;
@@ -164,6 +177,26 @@ export class PathScene {
     this.#controls.addEventListener('change', () => this.draw());
     this.#controls.addEventListener('start', () => (this.#follows = false));
     this.look(firstLook[lie]);
+    if (standpoint !== undefined) this.#standAt(standpoint);
+  }
+
+  /** From where it is seen now. */
+  standpoint(): Standpoint {
+    const from = {
+      eye: this.#camera.position.toArray(),
+      target: this.#controls.target.toArray(),
+    };
+    return { of: this.#of, look: this.#look, from: this.#follows ? null : from };
+  }
+
+  #standAt({ of, look, from }: Standpoint): void {
+    this.#of = of;
+    this.look(look);
+    if (from === null) return;
+    this.#follows = false;
+    this.#camera.position.set(...from.eye);
+    this.#controls.target.set(...from.target);
+    this.#controls.update();
   }
 
   colours(colours: Colours): void {
@@ -184,6 +217,36 @@ export class PathScene {
     lines.opacity = 0.4;
     lines.needsUpdate = true;
     this.draw();
+  }
+
+  /** By what the moves at feed have their colours; a legend is complete when the path is. */
+  shade(shading: Shading): Shade[] {
+    const isOther = shading !== this.#shading;
+    this.#shading = shading;
+    const hasOthers = shading === 'feed' && this.#feeds.grow();
+    if (isOther || hasOthers) this.#colours.repaint(this.#painter());
+    this.draw();
+    if (shading === 'kind') return [];
+    return shading === 'feed' ? this.#feeds.legend() : toolsOf(this.planned);
+  }
+
+  // A colour is read once for each of its values.
+  #painter(): Painter {
+    const known = new Map<number, Colour>();
+    const colour = (value: number, read: () => string): Colour => {
+      const found = known.get(value) ?? bytesOf(read());
+      known.set(value, found);
+      return found;
+    };
+    return (index) => {
+      const { ways, feeds, tools } = this.planned;
+      if (ways[index] === way.rapid) return this.#colourOf.rapid;
+      if (this.#shading === 'kind') return this.#colourOf.feed;
+      const value = (this.#shading === 'feed' ? feeds : tools)[index] ?? 0;
+      return colour(value, () =>
+        this.#shading === 'feed' ? this.#feeds.colourOf(value) : colourOfTool(value),
+      );
+    };
   }
 
   /** The tool stands with its tip at the origin of its group. */
@@ -227,10 +290,10 @@ export class PathScene {
     this.draw();
   }
 
-  /** More of the planned path has come, or another one, which is shown with the usual look. */
-  grew(): void {
-    if (this.#generation !== this.planned.generation) {
-      this.#generation = this.planned.generation;
+  /** More of the planned path has come; that of another program is shown with the usual look. */
+  grew(of: string): void {
+    if (this.#of !== of) {
+      this.#of = of;
       this.look(firstLook[this.lie]);
     } else if (this.#follows) {
       this.#frame();
@@ -262,18 +325,18 @@ export class PathScene {
   /** Shows which part of the planned path comes from a line of the program. */
   markLine(line: number | null): void {
     this.#markedLine = line;
-    this.#markedCount = 0;
-    this.#marked.clear();
+    this.#markedOf.generation = -1;
     this.draw();
   }
 
   #growMarked(): void {
-    const { lines, ways, count } = this.planned;
-    if (count < this.#markedCount) this.#marked.clear();
-    for (let i = Math.max(1, count < this.#markedCount ? 1 : this.#markedCount); i < count; ++i) {
+    const { lines, ways, count, generation } = this.planned;
+    const isSame = generation === this.#markedOf.generation;
+    if (!isSame) this.#marked.clear();
+    for (let i = isSame ? Math.max(1, this.#markedOf.count) : 1; i < count; ++i) {
       if (lines[i] === this.#markedLine && ways[i] !== way.none) this.#marked.add(i - 1, i);
     }
-    this.#markedCount = count;
+    this.#markedOf = { count, generation };
   }
 
   #showLines(how: keyof typeof fineness): void {

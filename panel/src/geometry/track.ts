@@ -30,6 +30,9 @@ export class Track {
   points: Float32Array = new Float32Array(firstCapacity * 3);
   lines: Uint32Array = new Uint32Array(firstCapacity);
   ways: Uint8Array = new Uint8Array(firstCapacity);
+  /** Of what leads to a point: mm/min, 0 where it is rapid or not known, and the number of the tool. */
+  feeds: Float32Array = new Float32Array(firstCapacity);
+  tools: Uint16Array = new Uint16Array(firstCapacity);
   count = 0;
   /** Grows with every clear(), so that who draws the track knows that it is another one. */
   generation = 0;
@@ -56,7 +59,7 @@ export class Track {
     const grown = this.#reserve(this.count + 1);
     this.points.set([x, y, z], this.count * 3);
     this.lines[this.count] = line;
-    this.ways[this.count] = way.feed;
+    for (const values of [this.ways, this.feeds, this.tools]) values[this.count] = 0;
     this.count += 1;
     return grown;
   }
@@ -65,7 +68,8 @@ export class Track {
     const grown = this.#reserve(this.count + lines.length);
     this.points.set(points, this.count * 3);
     this.lines.set(lines, this.count);
-    this.ways.fill(way.feed, this.count, this.count + lines.length);
+    for (const values of [this.ways, this.feeds, this.tools])
+      values.fill(0, this.count, this.count + lines.length);
     this.count += lines.length;
     return grown;
   }
@@ -110,9 +114,15 @@ export class Track {
     lines.set(this.lines.subarray(0, this.count));
     const ways = new Uint8Array(capacity);
     ways.set(this.ways.subarray(0, this.count));
+    const feeds = new Float32Array(capacity);
+    feeds.set(this.feeds.subarray(0, this.count));
+    const tools = new Uint16Array(capacity);
+    tools.set(this.tools.subarray(0, this.count));
     this.points = points;
     this.lines = lines;
     this.ways = ways;
+    this.feeds = feeds;
+    this.tools = tools;
     return true;
   }
 }
@@ -124,9 +134,19 @@ export interface PagePart {
 
 /** Points of a page, counted in it, as ranges [first, behind the last]. */
 type Ranges = readonly (readonly [number, number])[];
+/** Values, each from a point of the page on. */
+type Steps = readonly (readonly [from: number, value: number])[];
 export interface PageWays {
   rapid?: Ranges;
   begins?: Ranges;
+  feeds?: Steps;
+  tools?: Steps;
+}
+
+function fill(values: Float32Array | Uint16Array, first: number, last: number, steps: Steps): void {
+  steps.forEach(([from, value], k) => {
+    values.fill(value, first + from, Math.min(last, first + (steps[k + 1]?.[0] ?? Infinity)));
+  });
 }
 
 /** Puts the pages of one path together, in whatever order they and what is said of them come. */
@@ -178,6 +198,8 @@ export class PagedTrack {
         this.track.mark(start + from, start + to, way.rapid);
       for (const [from, to] of ways.begins ?? [])
         this.track.mark(start + from, start + to, way.none);
+      fill(this.track.feeds, start, this.track.count, ways.feeds ?? []);
+      fill(this.track.tools, start, this.track.count, ways.tools ?? []);
       this.#parts.delete(this.#next);
       this.#ways.delete(this.#next);
       this.#next += 1;

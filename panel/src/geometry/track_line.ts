@@ -13,6 +13,7 @@ import type { Track } from './track';
 export class PointValues {
   #attribute: BufferAttribute | null = null;
   #uploaded = 0;
+  #generation = -1;
 
   constructor(
     private readonly values: () => Float32Array | Uint8Array,
@@ -24,9 +25,11 @@ export class PointValues {
     return new PointValues(() => track.points, 3);
   }
 
-  /** Of the first `count` points. Only those that came since the last picture are sent there. */
-  current(count: number): BufferAttribute {
+  /** Of all points. Only those that came since the last picture are sent there. */
+  current({ count, generation }: Track): BufferAttribute {
     const values = this.values();
+    if (generation !== this.#generation) this.replaced();
+    this.#generation = generation;
     if (this.#attribute?.array !== values) {
       this.#attribute = new BufferAttribute(values, this.each, this.isNormalized);
     } else if (count !== this.#uploaded) {
@@ -87,7 +90,7 @@ export class TrackLine {
 
   // What is replaced leaves the graphics memory with the geometry only.
   #set(name: string, values: PointValues): void {
-    const attribute = values.current(this.track.count);
+    const attribute = values.current(this.track);
     if (this.#geometry.getAttribute(name) === attribute) return;
     this.#geometry.dispose();
     this.#geometry.setAttribute(name, attribute);

@@ -1,5 +1,6 @@
 // The path of the chosen channel: planned, by pages, when the daemon has it, and the trace of the live
 // positions. The points stay outside of the framework; what it watches is only how many there are.
+import type { Lie, Standpoint } from '../geometry/path_scene';
 import { pathKind, readPage } from '../geometry/page_frame';
 import { reached } from '../geometry/progress';
 import { PagedTrack, Track, type PageWays } from '../geometry/track';
@@ -10,6 +11,9 @@ interface Geometry extends PageWays {
   id: number;
   page: number;
 }
+
+/** docs/reference/protocol.md, program.path */
+type GivenUp = 'computing_time' | 'machine_time' | 'points' | 'refused' | 'failed' | 'replaced';
 
 const tracedAtMost = 200_000;
 const stillness_mm = 0.005;
@@ -25,6 +29,13 @@ export class PathFollower {
   /** Points of the planned path; 0 while there is none. */
   planned = $state(0);
   done = $state(0);
+  /** Why the planned path does not lead to the end of the program; null: it does, or it still grows. */
+  givenUp = $state<GivenUp | null>(null);
+  /** What the path belongs to: as long as it is the same, the picture is seen from where it was. */
+  of = '';
+  /** From where the picture was seen when another view was opened. */
+  readonly standpoints: Partial<Record<Lie, Standpoint>> = {};
+  #run = '';
   #asked = '';
   #last: [number, number, number] = [NaN, NaN, NaN];
 
@@ -54,15 +65,19 @@ export class PathFollower {
     this.planned = this.plan.track.count;
   }
 
-  // A program that is loaded has a path of its own; the trace of the one before goes.
-  #askPlan(channel: Channel): void {
-    const wanted = `${channel.id} ${channel.program ?? ''} ${channel.scheme ?? 0} ${channel.run ?? 0}`;
+  // Every run has a trace of its own. The daemon plans anew when the program or a table is another one.
+  #askPlan({ id, program, scheme = 0, run = 0, planned_path: plan }: Channel): void {
+    this.of = `${id} ${program ?? ''}`;
+    const traced = `${this.of} ${scheme} ${run}`;
+    if (traced !== this.#run) this.clear();
+    this.#run = traced;
+    const wanted = plan == null ? '' : `${id} ${plan}`;
     if (wanted === this.#asked) return;
     this.#asked = wanted;
-    this.clear();
     this.plan.expect();
     this.planned = this.done = 0;
-    if (channel.program != null) void this.#readPlan(wanted, channel.id);
+    this.givenUp = null;
+    if (wanted !== '') void this.#readPlan(wanted, id);
   }
 
   // The daemon makes the path in the background: pages that are not there yet are asked for again.
@@ -76,7 +91,8 @@ export class PathFollower {
           this.plan.say(geometry.id, geometry.page, geometry);
           this.planned = this.plan.track.count;
           page += 1;
-        } else if (answer.complete) {
+        } else if (answer.complete || answer.given_up !== null) {
+          this.givenUp = answer.given_up as GivenUp | null;
           return;
         } else {
           await pause(again_ms);
@@ -85,7 +101,7 @@ export class PathFollower {
     } catch {
       // Lost or refused: the trace is drawn in its place, and the path is asked for again.
       await pause(after_refusal_ms);
-      if (wanted === this.#asked) this.#asked = '';
+      if (wanted === this.#asked) this.#asked = 'again';
     }
   }
 }

@@ -1,4 +1,5 @@
 // What a person chose for this screen: language, theme, contrast. Kept in the browser, nowhere else.
+import { shadings } from '../geometry/shading';
 import { languages, type Language } from '../text/catalogue';
 
 export const themes = ['auto', 'light', 'dark'] as const;
@@ -10,6 +11,7 @@ interface Saved {
   language?: string;
   theme?: string;
   contrast?: string;
+  shading?: string;
 }
 
 function saved(): Saved {
@@ -34,11 +36,13 @@ class Settings {
   language = $state<Language>(firstLanguage(saved().language));
   theme = $state(oneOf(themes, saved().theme, 'auto'));
   contrast = $state(oneOf(contrasts, saved().contrast, 'auto'));
+  /** Of the path. */
+  shading = $state(oneOf(shadings, saved().shading, 'kind'));
 
   /** Writes the choice down and lets the style sheet know. */
   apply(): void {
-    const { language, theme, contrast } = this;
-    localStorage.setItem(key, JSON.stringify({ language, theme, contrast }));
+    const { language, theme, contrast, shading } = this;
+    localStorage.setItem(key, JSON.stringify({ language, theme, contrast, shading }));
     const root = document.documentElement;
     root.lang = language;
     root.dataset['theme'] = theme;

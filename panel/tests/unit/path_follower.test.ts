@@ -19,10 +19,11 @@ test('a path that was interrupted is read from its beginning', async () => {
     return Promise.resolve({
       pages: 2,
       complete: true,
+      given_up: null,
       geometry: params.page < 2 ? geometry : null,
     });
   }) as unknown as typeof store.call);
-  const channel = { id: 1, program: 'a.nc', scheme: 1, run: 1 } as Channel;
+  const channel = { id: 1, program: 'a.nc', scheme: 1, run: 1, planned_path: 3 } as Channel;
   const follower = new PathFollower();
   follower.follow(channel);
   await vi.advanceTimersByTimeAsync(1000);
@@ -32,4 +33,28 @@ test('a path that was interrupted is read from its beginning', async () => {
   follower.follow(channel);
   await vi.advanceTimersByTimeAsync(1000);
   expect(pages).toEqual([0, 1, 0, 1, 2]);
+});
+
+test('another path of the same program takes the place of the one before', async () => {
+  vi.useFakeTimers();
+  const asked: number[] = [];
+  let given_up: string | null = null;
+  vi.spyOn(store, 'call').mockImplementation(((_: string, { page }: { page: number }) => {
+    asked.push(page);
+    return Promise.resolve({ pages: 0, complete: given_up === null, given_up, geometry: null });
+  }) as unknown as typeof store.call);
+  const channel = { id: 1, program: 'a.nc', scheme: 1, run: 1, planned_path: 3 } as Channel;
+  const follower = new PathFollower();
+  for (let status = 0; status < 5; ++status) {
+    follower.follow(channel);
+    await vi.advanceTimersByTimeAsync(50);
+  }
+  expect(asked).toEqual([0]);
+  const { generation } = follower.plan.track;
+  given_up = 'computing_time';
+  follower.follow({ ...channel, planned_path: 4 });
+  await vi.advanceTimersByTimeAsync(5000);
+  expect(asked).toEqual([0, 0]);
+  expect(follower.plan.track.generation).toBeGreaterThan(generation);
+  expect(follower.givenUp).toBe('computing_time');
 });

@@ -2,6 +2,7 @@
 import { beforeEach, expect, test, vi } from 'vitest';
 
 vi.stubGlobal('navigator', { language: 'en' });
+const { spoken } = await import('../../src/stores/spoken.svelte');
 const { store } = await import('../../src/stores/machine.svelte');
 const { tables } = await import('../../src/stores/tables.svelte');
 
@@ -9,6 +10,7 @@ let x: number;
 let lines: string[];
 
 beforeEach(async () => {
+  await spoken.speak('en');
   x = 10;
   lines = [];
   tables.changes = [];

@@ -1,8 +1,8 @@
 // What F1 explains: the names in data-help, each with a text of the catalogue.
-import { english } from '../../text/english';
+import { spoken } from '../../stores/spoken.svelte';
 import type { TextKey } from '../../text/catalogue';
 
 export function topicOf(name: string): TextKey | null {
   const key = `topic.${name}`;
-  return name !== '' && Object.hasOwn(english, key) ? (key as TextKey) : null;
+  return name !== '' && Object.hasOwn(spoken.texts ?? {}, key) ? (key as TextKey) : null;
 }
