@@ -620,6 +620,23 @@ class AlarmMethods:
         return self._call("alarm.history", _given(channel=channel))
 
 
+class MeasurementMethods:
+    """Methods ``measurement.*``."""
+
+    def __init__(self, call: Call) -> None:
+        self._call = call
+
+    def history(self, *, channel: int | None = None) -> dict[str, Any]:
+        """What programs measured since the daemon started, the newest 500 of each channel.
+
+        ``measurement.history``, for the role observer.
+
+        Args:
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("measurement.history", _given(channel=channel))
+
+
 class ToolMethods:
     """Methods ``tool.*``."""
 
@@ -1041,6 +1058,7 @@ class Methods:
         self.kinematics = KinematicsMethods(call)
         self.drive = DriveMethods(call)
         self.alarm = AlarmMethods(call)
+        self.measurement = MeasurementMethods(call)
         self.tool = ToolMethods(call)
         self.offset = OffsetMethods(call)
         self.process = ProcessMethods(call)

@@ -832,6 +832,23 @@ export interface Methods {
       forgotten?: number;
     };
   };
+  /** what programs measured since the daemon started, the newest 500 of each channel */
+  "measurement.history": {
+    params: {
+      channel?: number;
+    };
+    result: {
+      forgotten?: number;
+      measurements: {
+        channel: number;
+        cycle: number;
+        feature: string;
+        number: number;
+        text: string;
+        values: Record<string, number>;
+      }[];
+    };
+  };
   /** tool table */
   "tool.list": {
     params: Record<string, never>;
@@ -1341,6 +1358,7 @@ export const method_roles: Record<MethodName, string> = {
   "alarm.list": 'observer',
   "alarm.ack": 'operator',
   "alarm.history": 'observer',
+  "measurement.history": 'observer',
   "tool.list": 'observer',
   "tool.get": 'observer',
   "tool.set": 'operator',
