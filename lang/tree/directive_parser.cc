@@ -3,12 +3,14 @@
 #include <array>
 #include <utility>
 
+#include "lang/contract/code_number.h"
+
 namespace stanok::lang {
 namespace {
 
-constexpr auto directives =
-    std::to_array<std::string_view>({"include", "kinematics", "workpiece", "workpiece_pos",
-                                     "feedlaw", "tool_overhang", "adaptive", "orientation"});
+constexpr auto directives = std::to_array<std::string_view>(
+    {"include", "kinematics", "workpiece", "workpiece_pos", "feedlaw", "tool_overhang", "adaptive",
+     "orientation", "plane"});
 
 using ForceKind = ForceControl::Kind;
 
@@ -37,6 +39,83 @@ const AdaptiveForm* adaptive_form_called(std::string_view name) {
   return nullptr;
 }
 
+// A way of G68.2 to say how a tilted plane lies, under a name: one block, or several with Q from 1
+// on. `letters` take the values of a block; behind all of them may stand X, Y, Z of its zero.
+struct PlaneForm {
+  std::string_view name;
+  int p;                     // P of G68.2
+  int q;                     // of the one block; 0: none, or the blocks are counted
+  std::string_view letters;  // of each block
+  std::size_t blocks;
+  bool has_zero;  // otherwise its first values are the zero
+  std::string_view example;
+};
+
+constexpr auto plane_forms = std::to_array<PlaneForm>({
+    {"spatial", 1, 123, "IJK", 1, true, "`#plane (spatial, A, B, C)`"},
+    {"euler", 0, 0, "IJK", 1, true, "`#plane (euler, I, J, K)`"},
+    {"projected", 4, 0, "IJK", 1, true, "`#plane (projected, A, B, K)`"},
+    {"vectors", 3, 0, "IJK", 2, true, "`#plane (vectors, XX, XY, XZ, ZX, ZY, ZZ)`"},
+    {"points", 2, 0, "XYZ", 3, false, "`#plane (points, X1, Y1, Z1, X2, Y2, Z2, X3, Y3, Z3)`"},
+});
+
+constexpr CodeNumber tilts = g(68, 2);
+constexpr CodeNumber ends_plane = g(69);
+
+const PlaneForm* plane_form_called(std::string_view name) {
+  for (const PlaneForm& form : plane_forms) {
+    if (form.name == name) return &form;
+  }
+  return nullptr;
+}
+
+IsoWord word_of(char letter, Expression value) {
+  IsoWord word;
+  word.span = value.span;
+  word.name.letter = letter;
+  word.value = std::move(value);
+  return word;
+}
+
+IsoWord word_of(char letter, int number, const Span& span) {
+  Expression value;
+  value.number = number;
+  value.span = span;
+  IsoWord word = word_of(letter, std::move(value));
+  word.whole = true;
+  return word;
+}
+
+IsoWord code_of(CodeNumber code, const Span& span) {
+  IsoWord word = word_of('G', 0, span);
+  word.name.code = code;
+  word.value.number = code / 10.0;
+  return word;
+}
+
+// The blocks of G68.2 that say the same.
+StatementList blocks_of(const PlaneForm& form, std::vector<Expression> values, const Span& span) {
+  StatementList blocks;
+  const std::size_t said = form.letters.size() * form.blocks;
+  for (std::size_t k = 0; k < form.blocks; ++k) {
+    IsoBlock block;
+    block.words.push_back(code_of(tilts, span));
+    block.words.push_back(word_of('P', form.p, span));
+    const int q = form.blocks > 1 ? static_cast<int>(k) + 1 : form.q;
+    if (q != 0) block.words.push_back(word_of('Q', q, span));
+    for (std::size_t i = 0; i < form.letters.size(); ++i)
+      block.words.push_back(
+          word_of(form.letters[i], std::move(values[k * form.letters.size() + i])));
+    for (std::size_t i = said; k == 0 && i < values.size(); ++i)
+      block.words.push_back(word_of("XYZ"[i - said], std::move(values[i])));
+    Statement statement;
+    statement.span = span;
+    statement.kind = std::move(block);
+    blocks.push_back(std::move(statement));
+  }
+  return blocks;
+}
+
 }  // namespace
 
 MaybeStatement DirectiveParser::parse_directive() {
@@ -56,6 +135,7 @@ MaybeStatement DirectiveParser::parse_directive() {
   if (wanted == "feedlaw") return parse_feed_law(span);
   if (wanted == "adaptive") return parse_adaptive(span);
   if (wanted == "orientation") return parse_orientation();
+  if (wanted == "plane") return parse_plane(span);
   Diagnostic& diagnostic = reporter_.error(
       "E2010", span, "unknown directive `#" + std::string(name) + "`", "no such directive");
   const std::string_view nearest = nearest_name(name, {directives.begin(), directives.end()});
@@ -203,6 +283,48 @@ MaybeStatement DirectiveParser::parse_orientation() {
   if (!cursor_.finish_line()) return std::nullopt;
   Statement statement;
   statement.kind = std::move(directive);
+  return statement;
+}
+
+// #plane (FORM, ...) is the blocks of G68.2 of that form, #plane () is G69.
+MaybeStatement DirectiveParser::parse_plane(const Span& name) {
+  cursor_.set_line_ends(LineEnds::significant);
+  if (!cursor_.expect("(", "`#plane`")) return std::nullopt;
+  Statement statement;
+  if (cursor_.accept(")")) {
+    IsoBlock off;
+    off.words.push_back(code_of(ends_plane, name));
+    statement.kind = std::move(off);
+    return cursor_.finish_line() ? MaybeStatement(std::move(statement)) : std::nullopt;
+  }
+  const Token word = scanner_.take(cursor_.line_ends());
+  const PlaneForm* const form =
+      word.kind == TokenKind::name ? plane_form_called(folded(word.text)) : nullptr;
+  if (form == nullptr) {
+    cursor_.report_unexpected(
+        word,
+        "`spatial`, `euler`, `projected`, `vectors`, `points`, or nothing between the brackets");
+    return std::nullopt;
+  }
+  std::vector<Expression> values;
+  if (!cursor_.expect(",", "`" + std::string(form->name) + "`") ||
+      !expressions_.parse_list(")", values) || !cursor_.finish_line())
+    return std::nullopt;
+  const std::size_t said = form->letters.size() * form->blocks;
+  if (values.size() != said && !(form->has_zero && values.size() == said + 3)) {
+    reporter_
+        .error("E3005", name,
+               "`#plane (" + std::string(form->name) + ", ...)` takes " + std::to_string(said) +
+                   " values" +
+                   (form->has_zero ? ", or " + std::to_string(said + 3) + " with its zero" : ""),
+               "the number of values is wrong")
+        .help.push_back("write " + std::string(form->example) +
+                        (form->has_zero ? ", with X, Y, Z of its zero behind" : ""));
+    return std::nullopt;
+  }
+  StatementList blocks = blocks_of(*form, std::move(values), name);
+  if (blocks.size() == 1) return std::move(blocks.front());
+  statement.kind = Compound{std::move(blocks)};
   return statement;
 }
 

@@ -42,6 +42,7 @@ class DirectiveParser {
   MaybeStatement parse_tool_overhang(const Span& name);
   MaybeStatement parse_adaptive(const Span& name);
   MaybeStatement parse_orientation();
+  MaybeStatement parse_plane(const Span& name);
   bool parse_vibration_switch(AdaptiveDirective& directive);
 
   // directive_parser_feed_law.cc

@@ -1,0 +1,3 @@
+#plane (spatial, 90, 0)
+; expect error 1:1 E3005
+M30
