@@ -6,7 +6,7 @@
 namespace stanok::protocol::rows {
 namespace {
 
-constexpr double entries_max = 1e15;
+constexpr double entries_max = 1e9;
 constexpr double places_max = 500.0;
 
 constexpr Parameter queued_program =

@@ -459,7 +459,7 @@ class QueueMethods:
         ``queue.remove``, for the role operator.
 
         Args:
-            id: which entry, as queue.list tells it.
+            id: which entry, as queue.list tells it; 1 to 1000000000.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("queue.remove", _given(id=id, channel=channel))
@@ -470,7 +470,7 @@ class QueueMethods:
         ``queue.move``, for the role operator.
 
         Args:
-            id: which entry, as queue.list tells it.
+            id: which entry, as queue.list tells it; 1 to 1000000000.
             place: its new place, from 1; 1 to 500.
             channel: channel; default: the first one; 1 to 999.
         """
