@@ -259,6 +259,34 @@ describe('states', () => {
     await page.context().close();
   });
 
+  test('history: what programs have measured', async () => {
+    const bore = {
+      channel: 1,
+      number: 1,
+      cycle: 65000,
+      feature: 'bore',
+      values: { error_size: 0.05, size: 24.05 },
+      text: 'measured bore size=24.05 error_size=0.05',
+    };
+    const measured = (message, way) => {
+      if (way === 'told') return message;
+      if (message.method !== 'measurement.history') return undefined;
+      return { result: { measurements: [bore] } };
+    };
+    const page = await stage.openMachine({ before: through(measured) });
+    await show(page, 'history');
+    const row = page.locator('tr', { hasText: 'bore' });
+    await row.waitFor();
+    assert.deepEqual(await row.locator('td').allTextContents(), [
+      '1:05',
+      '1',
+      'bore',
+      'error_size 0.0500, size 24.0500',
+    ]);
+    assert.deepEqual(await findings(page), []);
+    await page.context().close();
+  });
+
   test('lost: all values grey, and it says since when; then it is live again', async () => {
     const page = await stage.openMachine();
     stage.silence(true);
