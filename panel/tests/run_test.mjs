@@ -213,6 +213,8 @@ test('programs of the queue begin one after the other, and none behind a reset',
     await page.getByRole('heading', { name }).waitFor();
     await page.getByRole('button', { name: 'To the queue' }).click();
     await until('it is in the queue', async () => (await waiting()) === k + 1);
+    // A button that waits for its answer does not hear.
+    await page.locator('[aria-busy=true]').waitFor({ state: 'detached' });
   }
   assert.ok(!(await stage.status()).queue.started);
   await queue.getByRole('button', { name: 'Start the queue' }).click();
