@@ -125,6 +125,29 @@ std::string offsets_text(const json& result, const Terminal& terminal) {
   return table.text(terminal);
 }
 
+// The queue of each channel: whether it runs, or what stopped it, and a row for each program.
+std::string queues_text(const json& result, const Terminal& terminal) {
+  std::string text;
+  for (const json& queue : result.value("queues", json::array())) {
+    const bool is_started = queue.value("started", false);
+    const json stopped = queue.value("stopped_by", json());
+    text += "channel " + std::to_string(queue.value("channel", 0)) + ": " +
+            (is_started          ? "started by " + cell_text(queue.value("started_by", json()))
+             : stopped.is_null() ? "not started"
+                                 : "stopped: " + one_line(cell_text(stopped))) +
+            "\n";
+    TextTable table({"place", "id", "program", ""});
+    int place = 0;
+    for (const json& one : queue.value("programs", json::array())) {
+      const json id = one.value("id", json());
+      table.add_row({std::to_string(++place), cell_text(id), one.value("program", ""),
+                     id == queue.value("under_way", json()) ? "under way" : ""});
+    }
+    text += place == 0 ? "no program waits\n" : table.text(terminal);
+  }
+  return text;
+}
+
 // A line for each diagnostic, as compilers write them.
 std::string check_text(const json& result, const Terminal& terminal) {
   const json diagnostics = result.value("diagnostics", json::array());
@@ -163,6 +186,7 @@ std::string cell_text(const json& value) {
 std::string result_text(std::string_view method, const json& result, const Terminal& terminal) {
   if (result == json{{"accepted", true}}) return "";
   if (method == "channel.status") return channel_text(result, terminal);
+  if (method.starts_with("queue.")) return queues_text(result, terminal);
   if (method == "offset.list") return offsets_text(result, terminal);
   if (method == "tool.save") return result.value("tables", "");
   if (method == "program.read") return result.value("text", "");

@@ -148,5 +148,24 @@ TEST(Explanation, TellsEveryCode) {
   EXPECT_EQ(explanation("E0000"), "");
 }
 
+TEST(ResultText, ShowsQueuesAsTheyWillRun) {
+  const json queue{
+      {"channel", 1},
+      {"started", true},
+      {"started_by", "uid 1000"},
+      {"stopped_by", nullptr},
+      {"under_way", 7},
+      {"programs", {{{"id", 7}, {"program", "a.nc"}}, {{"id", 12}, {"program", "b.nc"}}}}};
+  const json empty{{"channel", 2},          {"started", false},     {"started_by", nullptr},
+                   {"stopped_by", "reset"}, {"under_way", nullptr}, {"programs", json::array()}};
+  EXPECT_EQ(result_text("queue.start", {{"queues", {queue, empty}}}, pipe_end),
+            "channel 1: started by uid 1000\n"
+            "place  id  program\n"
+            "    1   7  a.nc     under way\n"
+            "    2  12  b.nc\n"
+            "channel 2: stopped: reset\n"
+            "no program waits\n");
+}
+
 }  // namespace
 }  // namespace stanok::client
