@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -69,6 +70,20 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// What was found: into the file that was asked for, as a picture, and on standard output.
+template <class Report>
+int tell(const IdentifyOptions& options, const Report& report,
+         const std::function<std::string()>& file) {
+  if (!options.out.empty()) write_text_file(options.out, file());
+  if (!options.picture.empty()) draw_picture(report, options.picture);
+  if (options.json) {
+    write_json(to_json(report));
+  } else {
+    write_data(to_text(report));
+  }
+  return 0;
+}
+
 int run_grinding(const IdentifyOptions& options) {
   const process::DesignRequest sheet = config::read_grinding_file(options.grinding);
   GrindLogRequest request{
@@ -82,15 +97,7 @@ int run_grinding(const IdentifyOptions& options) {
   const auto fit = process::fit_grinding(log.record, sheet.process);
   if (!fit) throw std::runtime_error(fit.error());
   const GrindFitReport report{.log = log, .fit = *fit};
-  if (!options.out.empty())
-    write_text_file(options.out, with_figures(text_of(options.grinding), *fit));
-  if (!options.picture.empty()) draw_picture(report, options.picture);
-  if (options.json) {
-    write_json(to_json(report));
-  } else {
-    write_data(to_text(report));
-  }
-  return 0;
+  return tell(options, report, [&] { return with_figures(text_of(options.grinding), *fit); });
 }
 
 int run_milling(const IdentifyOptions& options) {
@@ -105,15 +112,7 @@ int run_milling(const IdentifyOptions& options) {
   if (!fit) throw std::runtime_error(fit.error());
   const MillingFitReport report{
       .log = log, .fit = *fit, .efficiency = options.efficiency.value_or(1.0)};
-  if (!options.out.empty())
-    write_text_file(options.out, with_figures(text_of(options.cut), report));
-  if (!options.picture.empty()) draw_picture(report, options.picture);
-  if (options.json) {
-    write_json(to_json(report));
-  } else {
-    write_data(to_text(report));
-  }
-  return 0;
+  return tell(options, report, [&] { return with_figures(text_of(options.cut), report); });
 }
 
 int run_identify(const IdentifyOptions& options) {
@@ -128,14 +127,7 @@ int run_identify(const IdentifyOptions& options) {
   const auto fit = process::fit_turning(log.record);
   if (!fit) throw std::runtime_error(fit.error());
   const IdentifyReport report{.log = log, .fit = *fit, .coefficient_n = options.coefficient_n};
-  if (!options.out.empty()) write_text_file(options.out, process_section(report));
-  if (!options.picture.empty()) draw_picture(report, options.picture);
-  if (options.json) {
-    write_json(to_json(report));
-  } else {
-    write_data(to_text(report));
-  }
-  return 0;
+  return tell(options, report, [&] { return process_section(report); });
 }
 
 }  // namespace
