@@ -138,6 +138,16 @@ TEST(MillingFit, ItsIntervalsHoldTheHiddenValues) {
   EXPECT_LT(worst_force, 0.05);
 }
 
+// Most of the power comes from something else than the cut.
+TEST(MillingFit, RefusesAPowerThatDoesNotFollowTheCut) {
+  std::mt19937 random(2);
+  HiddenMill mill = hidden_mill(random);
+  mill.noise = 0.8;
+  const auto fit = fit_milling(recorded(mill, random));
+  ASSERT_FALSE(fit.has_value());
+  EXPECT_NE(fit.error().find("does not follow the cut"), std::string::npos) << fit.error();
+}
+
 TEST(MillingFit, SaysWhatTheRecordLacks) {
   std::mt19937 random(1);
   const HiddenMill mill = hidden_mill(random);

@@ -1,5 +1,7 @@
 #include "client/offline/process/identify/milling_fit_report.h"
 
+#include <algorithm>
+
 #include "client/offline/process/identify/figure_table.h"
 #include "client/offline/process/identify/keyed_text.h"
 
@@ -46,8 +48,10 @@ ordered_json to_json(const MillingFitReport& report) {
 }
 
 std::string with_figures(const std::string& cut_file, const MillingFitReport& report) {
+  Estimate edge = edge_of(report);
+  edge.value = std::max(edge.value, 0.0);
   return with_figures(cut_file, {{.key = "force", .estimate = force_of(report), .digits = 1},
-                                 {.key = "edge_force", .estimate = edge_of(report), .digits = 2}});
+                                 {.key = "edge_force", .estimate = edge, .digits = 2}});
 }
 
 void draw_picture(const MillingFitReport& report, const std::filesystem::path& file) {
