@@ -15,7 +15,8 @@ constexpr double model_reserve = 1.5;
 // Speeds that differ by more are two; the idle power has then two terms.
 constexpr double speed_differs = 0.05;
 constexpr int readings_least = 50;
-constexpr int rounds = 4;  // weights follow from a fit, and the fit from weights
+constexpr double noise_max = 0.5;  // of the cutting power; teeth and chips alone make less
+constexpr int rounds = 4;          // weights follow from a fit, and the fit from weights
 
 enum Place : Eigen::Index { first, second, ln_lag, linear, square };
 
@@ -199,6 +200,7 @@ Expected<FittedCut, std::string> fit_drive(const DriveRecord& record, const CutM
   if (!fit.is_determined)
     return Unexpected<std::string>(
         "the record does not tell all values; cut with several depths, feeds and speeds");
+  if (fitted.drive.noise > noise_max) return Unexpected<std::string>(not_of_the_cut);
   add_rounding(speeds, fit);
   fitted.figures = {estimate_of(fit, first), estimate_of(fit, second)};
   DriveFit& drive = fitted.drive;

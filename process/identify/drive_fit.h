@@ -67,6 +67,11 @@ struct FittedCut {
 // Whether there are enough readings in the cut and out of it; empty: there are.
 [[nodiscard]] std::string what_lacks(const DriveRecord& record);
 
+inline constexpr const char* not_of_the_cut =
+    "the power does not follow the cut; look whether spindle, tool and stock or workpiece are "
+    "those "
+    "that were cut";
+
 // Or what the record lacks.
 [[nodiscard]] Expected<FittedCut, std::string> fit_drive(const DriveRecord& record,
                                                          const CutModel& cut);

@@ -7,7 +7,6 @@ namespace {
 
 constexpr double w_per_n_mm_per_s = 1e-3;
 constexpr double thickness_differs = 0.1;
-constexpr double noise_max = 0.5;  // of the cutting power; the teeth alone make less
 
 DriveRecord drive_record(const MillingRecord& record) {
   DriveRecord drive{.cycle_s = record.cycle_s, .rev_per_min = {}, .power_w = {}, .cuts = {}};
@@ -58,11 +57,7 @@ Expected<MillingFit, std::string> fit_milling(const MillingRecord& record) {
       }};
   auto fitted = fit_drive(drive, cut);
   if (!fitted) return Unexpected<std::string>(std::move(fitted.error()));
-  if (fitted->drive.noise > noise_max || fitted->figures[0].low <= 0.0) {
-    return Unexpected<std::string>(
-        "the power does not follow the cut of the workpiece; look whether spindle, tool and "
-        "workpiece of the log are those that were cut");
-  }
+  if (fitted->figures[0].low <= 0.0) return Unexpected<std::string>(not_of_the_cut);
   return MillingFit{{std::move(fitted->drive)}, fitted->figures[0], fitted->figures[1]};
 }
 
