@@ -327,8 +327,8 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E9022", "the queue of programs does not permit this", Reaction::warning,
      "the text says why; stanok queue list shows the queue", "give the command again"},
     {"E9023", "the queue of programs cannot be written", Reaction::warning,
-     "check rights and space of the state directory; the queue is as it was asked for until the "
-     "daemon ends",
+     "check rights and space of the state directory; nothing was added; what was removed or moved "
+     "stays so until the daemon ends",
      "give the command again"},
     {"E9101", "the control file of a grinding cycle cannot be read", Reaction::warning,
      "the text names the line and what is expected there; docs/programmer/grinding.md describes "

@@ -112,6 +112,11 @@ void ProgramQueue::changed(int channel) {
   notes_[channel].queue = {line.entries.size(), line.is_started, ++line.version};
 }
 
+// A queue that is started has something to begin.
+void ProgramQueue::end_if_empty(Line& line) {
+  if (line.entries.empty()) line.is_started = false;
+}
+
 void ProgramQueue::add(const json& parameters, int channel, Answer answer) {
   Line& line = lines_[channel];
   auto program = parameters["program"].get<std::string>();
@@ -119,7 +124,7 @@ void ProgramQueue::add(const json& parameters, int channel, Answer answer) {
     return answer(refused("no program has such a name", channel));
   if (line.entries.size() >= programs_max) return answer(refused("the queue is full", channel));
   line.entries.push_back({++last_id_, std::move(program)});
-  keep(channel, std::move(answer));
+  keep({channel, last_id_, std::move(answer)});
 }
 
 void ProgramQueue::remove(const json& parameters, int channel, Answer answer) {
@@ -128,7 +133,8 @@ void ProgramQueue::remove(const json& parameters, int channel, Answer answer) {
   if (entry == line.entries.end()) return answer(refused("the queue has no such entry", channel));
   if (entry->id == line.under_way) return answer(refused("this program is under way", channel));
   line.entries.erase(entry);
-  keep(channel, std::move(answer));
+  end_if_empty(line);
+  keep({channel, 0, std::move(answer)});
 }
 
 // What is under way stays the first one.
@@ -143,7 +149,7 @@ void ProgramQueue::move(const json& parameters, int channel, Answer answer) {
   line.entries.erase(entry);
   const std::size_t before = std::min(place - 1, line.entries.size());
   line.entries.insert(line.entries.begin() + static_cast<std::ptrdiff_t>(before), std::move(moved));
-  keep(channel, std::move(answer));
+  keep({channel, 0, std::move(answer)});
 }
 
 CommandResult ProgramQueue::start(int channel, Starter starter) {
@@ -251,14 +257,24 @@ void ProgramQueue::ended(int channel, const CommandResult& outcome) {
     return changed(channel);
   }
   std::erase_if(line.entries, [&](const Entry& entry) { return entry.id == id; });
-  if (line.entries.empty()) line.is_started = false;
-  keep(channel, nullptr);
+  end_if_empty(line);
+  keep({channel, 0, nullptr});
 }
 
-void ProgramQueue::keep(int channel, Answer answer) {
-  changed(channel);
+void ProgramQueue::keep(Change change) {
+  changed(change.channel);
   is_to_be_written_ = true;
-  if (answer) waiting_.emplace_back(channel, std::move(answer));
+  if (change.answer) waiting_.push_back(std::move(change));
+}
+
+// Who is told that a program was not added adds it again.
+void ProgramQueue::withdraw(const Change& change) {
+  Line& line = lines_[change.channel];
+  const auto entry = entry_with(line.entries, change.added);
+  if (entry == line.entries.end() || entry->id == line.under_way) return;
+  line.entries.erase(entry);
+  end_if_empty(line);
+  changed(change.channel);
 }
 
 void ProgramQueue::write() {
@@ -274,8 +290,10 @@ void ProgramQueue::write() {
       [this, waiting = std::exchange(waiting_, {})](const CommandResult& outcome) {
         is_being_written_ = false;
         if (!outcome) spdlog::warn("{}", text_of(outcome.error()));
-        for (const auto& [channel, answer] : waiting)
-          answer(outcome ? CommandResult(list(channel)) : outcome);
+        for (const Change& change : waiting) {
+          if (!outcome) withdraw(change);
+          change.answer(outcome ? CommandResult(list(change.channel)) : outcome);
+        }
       });
 }
 

@@ -39,7 +39,8 @@ class ProgramQueue {
 
   // Channel 0: of all. Parameters are as checked_parameters returned them.
   [[nodiscard]] nlohmann::json list(int channel) const;
-  // Answered when the disk has it.
+  // Answered when the disk has it. What the disk does not take (E9023) is not added, unless it is
+  // under way by then; what was removed or moved stays so until the daemon ends.
   void add(const nlohmann::json& parameters, int channel, Answer answer);
   void remove(const nlohmann::json& parameters, int channel, Answer answer);
   void move(const nlohmann::json& parameters, int channel, Answer answer);
@@ -69,13 +70,20 @@ class ProgramQueue {
   [[nodiscard]] std::string text() const;
   [[nodiscard]] nlohmann::json shown(int channel, const Line& line) const;
   void changed(int channel);
+  static void end_if_empty(Line& line);
   void halt(int channel, const std::string& why);
   void note(int channel, const channels::OperatorEvent& accepted);
   [[nodiscard]] std::string obstacle(int channel, const Line& line);
   void begin_next(int channel, Line& line);
   void ended(int channel, const CommandResult& outcome);
-  // Then `answer` gets the queue of the channel.
-  void keep(int channel, Answer answer);
+  // A change that waits for the disk; then `answer` gets the queue of the channel.
+  struct Change {
+    int channel = 0;
+    std::uint64_t added = 0;  // id of the entry; 0: none
+    Answer answer;
+  };
+  void keep(Change change);
+  void withdraw(const Change& change);
   void write();
 
   RunningMachine& machine_;
@@ -87,7 +95,7 @@ class ProgramQueue {
   std::uint64_t last_id_ = 0;
   bool is_to_be_written_ = false;
   bool is_being_written_ = false;
-  std::vector<std::pair<int, Answer>> waiting_;  // for the disk, by channel
+  std::vector<Change> waiting_;  // for the disk
   BackgroundWork files_{BackgroundWork::Urgency::usual};
 };
 

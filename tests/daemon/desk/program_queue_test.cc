@@ -93,11 +93,12 @@ class ProgramQueueTest : public ::testing::Test {
   }
 
   stanok::testing::TemporaryDirectory folder;
+  const bool has_state = std::filesystem::create_directory(folder.path() / "state");
   FakeMachine machine;
   NotesOfChannels notes;
   CommandDesk desk{machine, notes};
   ChannelControl control;
-  ProgramQueue queue{machine, desk, control, notes, folder.path() / "queue.txt"};
+  ProgramQueue queue{machine, desk, control, notes, folder.path() / "state/queue.txt"};
   std::uint32_t runs = 0;
   const bool watches =
       (desk.watch([this](const OperatorEvent& event) { queue.note(event); }), true);
@@ -225,7 +226,7 @@ TEST_F(ProgramQueueTest, IsThereAfterARestartAndStandsStill) {
   begin_two();
   NotesOfChannels new_notes;
   CommandDesk new_desk{machine, new_notes};
-  ProgramQueue again{machine, new_desk, control, new_notes, folder.path() / "queue.txt"};
+  ProgramQueue again{machine, new_desk, control, new_notes, folder.path() / "state/queue.txt"};
   const json kept = again.list(1)["queues"][0];
   EXPECT_FALSE(kept["started"]);
   EXPECT_TRUE(kept["under_way"].is_null());
@@ -237,13 +238,39 @@ TEST_F(ProgramQueueTest, IsThereAfterARestartAndStandsStill) {
   EXPECT_EQ(asked(), before);
 }
 
-TEST_F(ProgramQueueTest, SaysWhenTheDiskDoesNotTakeIt) {
-  ProgramQueue nowhere{machine, desk, control, notes, folder.path() / "no/such/queue.txt"};
+TEST_F(ProgramQueueTest, AQueueThatIsEmptiedBeforeItBeginsIsNotStarted) {
+  add("a.nc");
+  ASSERT_TRUE(start());
+  const json id = line()["programs"][0]["id"];
   std::optional<CommandResult> answered;
-  nowhere.add({{"program", "a.nc"}}, 1, [&](const CommandResult& outcome) { answered = outcome; });
-  while (!answered) nowhere.tick();
-  ASSERT_FALSE(*answered);
-  EXPECT_EQ(answered->error().code, "E9023");
+  queue.remove({{"id", id}}, 1, [&](const CommandResult& outcome) { answered = outcome; });
+  EXPECT_FALSE(line()["started"]);
+  while (!answered) queue.tick();
+  EXPECT_EQ(asked(), 0U);
+}
+
+// Who is told so gives the command again: then the program is there once, not twice.
+TEST_F(ProgramQueueTest, WhatTheDiskDoesNotTakeIsNotAdded) {
+  add("a.nc");
+  std::filesystem::remove_all(folder.path() / "state");
+  std::ofstream(folder.path() / "state") << "no folder\n";
+  EXPECT_EQ(changed(&ProgramQueue::add, {{"program", "b.nc"}})["code"], "E9023");
+  EXPECT_EQ(line()["programs"].size(), 1U);
+  EXPECT_EQ(notes[1].queue.programs, 1U);
+  std::filesystem::remove(folder.path() / "state");
+  std::filesystem::create_directory(folder.path() / "state");
+  EXPECT_EQ(changed(&ProgramQueue::add, {{"program", "b.nc"}})["programs"].size(), 2U);
+}
+
+// What an operator takes out never begins, whatever the disk does.
+TEST_F(ProgramQueueTest, WhatIsRemovedStaysRemovedWithoutADisk) {
+  add("a.nc");
+  std::filesystem::remove_all(folder.path() / "state");
+  std::ofstream(folder.path() / "state") << "no folder\n";
+  const json removed = changed(&ProgramQueue::remove, {{"id", line()["programs"][0]["id"]}});
+  EXPECT_EQ(removed["code"], "E9023");
+  EXPECT_EQ(line()["programs"], json::array());
+  EXPECT_FALSE(start());
 }
 
 TEST_F(ProgramQueueTest, ADamagedFileIsNoQueue) {
