@@ -8,8 +8,22 @@ namespace {
 
 constexpr Parameter line = required_text("text", "one complete statement");
 
-constexpr Parameter jogged_axis =
-    required_text("axis", "axis of the machine, as in the machine file");
+constexpr Parameter jogged_axis = required_text(
+    "axis", "axis of the machine, as in the machine file; with another frame X, Y or Z");
+
+constexpr auto frame_choices = std::to_array<std::string_view>({"machine", "tool", "plane"});
+constexpr Parameter jog_frame{
+    .name = "frame",
+    .type = ParameterType::choice,
+    .carries = Carries::number,
+    .minimum = 1,
+    .maximum = frame_choices.size(),
+    .choices = frame_choices,
+    .usual = "machine",
+    .help =
+        "whose directions: one axis of the machine, the tool (Z from its tip into the spindle), "
+        "or the workpiece as programs see it now, tilted planes included; the tool goes straight "
+        "then, and the rotary axes stand"};
 
 constexpr Parameter jog_velocity{.name = "velocity",
                                  .type = ParameterType::number,
@@ -43,7 +57,7 @@ constexpr Parameter wait_as_usual = [] {
   return parameter;
 }();
 constexpr std::array of_line{line, channel, wait_as_usual};
-constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment, channel};
+constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment, jog_frame, channel};
 constexpr std::array of_home{homed_axis, channel};
 
 constexpr auto hand_rows = std::to_array<Method>({

@@ -45,6 +45,8 @@ class AxisMotion {
   // Of a part turned around Z, at the tool; mm. 0: the scheme has no transverse axis.
   [[nodiscard]] double diameter() const RT_SAFE;
 
+  // In which the axes stand.
+  [[nodiscard]] const kinematics::Transform& frame() const RT_SAFE { return frame_; }
   // The frame in which the axes stand; only at rest.
   void select_scheme(int scheme) RT_SAFE;
   void stand_in(const kinematics::Transform& frame) RT_SAFE;

@@ -49,7 +49,8 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
     state.move.stop();
     state.cycles_left = -1;
   }
-  if (state.task != Task::none || homing_state_ == HomingState::running) return "E6056";
+  if (state.task != Task::none || homing_state_ == HomingState::running || line_.is_active())
+    return "E6056";
   if (up ? drive.limit_positive : drive.limit_negative) return "E6057";
   double speed = std::min(std::abs(jog.velocity), limits.velocity_max);
   const double way = jog.increment > 0.0 ? jog.increment : travel(limits);
@@ -67,6 +68,17 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
   state.cycles_left = jog.increment > 0.0 ? -1 : std::llround(lease_s / cycle_s_);
   state.move.begin(from, to, {.speed = speed, .ramp = ramp_of(limits)});
   return {};
+}
+
+std::string_view ManualMotion::jog(const JogLine& line, std::span<const AxisFeedback> drives,
+                                   std::span<const kinematics::Jet> positions) RT_SAFE {
+  const std::int64_t lease = std::llround(lease_s / cycle_s_);
+  if (line_.renew(line, lease)) return {};
+  if (is_active()) return "E6056";
+  const std::string_view refused =
+      line_.begin(line, {axes_.begin(), axes_.begin() + count_}, drives, positions);
+  if (refused.empty() && line.increment == 0.0) line_.lease(lease);
+  return refused;
 }
 
 void ManualMotion::go(int axis, double from, double to) RT_SAFE {
@@ -95,6 +107,7 @@ void ManualMotion::stop() RT_SAFE {
     fault_ = FixedText<128>("homing was stopped");
   }
   to_home_ = 0;
+  line_.stop();
   for (AxisState& state : states_) {
     state.move.stop();
     state.reference.accepted = false;
@@ -105,13 +118,14 @@ void ManualMotion::stop() RT_SAFE {
 }
 
 bool ManualMotion::is_active() const RT_SAFE {
-  return to_home_ != 0 || std::any_of(states_.begin(), states_.end(), [](const AxisState& state) {
-           return state.task != Task::none;
-         });
+  return to_home_ != 0 || line_.is_active() ||
+         std::any_of(states_.begin(), states_.end(),
+                     [](const AxisState& state) { return state.task != Task::none; });
 }
 
 void ManualMotion::advance(std::span<const AxisFeedback> drives,
                            std::span<kinematics::Jet> positions) RT_SAFE {
+  line_.advance(cycle_s_, positions);
   bool searches = false;
   for (std::size_t k = 0; k < count_; ++k) {
     AxisState& state = states_[k];

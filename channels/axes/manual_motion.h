@@ -1,4 +1,5 @@
-// ManualMotion: the axes of one channel moved one by one, outside of programs: jogging, homing.
+// ManualMotion: the axes of one channel moved one by one, or along a straight line, outside of
+// programs: jogging, homing.
 //
 // A continuous jog is a lease: it ends when it is not renewed. Homing goes through the axes in the
 // order of the machine file, those of one order together; where an axis found its home switch or
@@ -13,20 +14,13 @@
 #include "base/fixed_text.h"
 #include "base/rt_safe.h"
 #include "channels/axes/axis_homing.h"
-#include "channels/contract/machine_config.h"
+#include "channels/axes/manual_axis.h"
+#include "channels/axes/straight_jog.h"
 #include "channels/contract/output.h"
 #include "lang/contract/environment.h"
 #include "motion/profile/axis_move.h"
 
 namespace stanok::channels {
-
-// Figures of one axis as far as it is moved by hand.
-struct ManualAxis {
-  FixedText<16> name;
-  motion::AxisLimits limits;
-  HomingConfig homing;
-  double following_error_max = 0.5;
-};
 
 // A jog of one axis: with a velocity while it is renewed, or by an increment.
 struct Jog {
@@ -45,6 +39,9 @@ class ManualMotion {
   // Returns why not: a code of the catalogue; empty: it goes.
   [[nodiscard]] std::string_view jog(const Jog& jog, double from, const AxisFeedback& drive)
       RT_SAFE;
+  // The same for axes along a line: none of them moves otherwise meanwhile.
+  [[nodiscard]] std::string_view jog(const JogLine& line, std::span<const AxisFeedback> drives,
+                                     std::span<const kinematics::Jet> positions) RT_SAFE;
   // From `from` to a place of the axis, with the velocity of its search.
   void go(int axis, double from, double to) RT_SAFE;
   // Homes these axes; those with an absolute encoder (order 0) are left out.
@@ -83,6 +80,7 @@ class ManualMotion {
   double cycle_s_ = 0.001;
   AxisArray<ManualAxis> axes_{};
   AxisArray<AxisState> states_{};
+  StraightJog line_;
   lang::AxisSet to_home_ = 0;  // whose turn has not come yet
   HomingState homing_state_ = HomingState::succeeded;
   FixedText<128> fault_;

@@ -125,6 +125,7 @@ void convert(auto& form, commands::ProcessAutomatic& command) {
 }
 void convert(auto& form, commands::Jog& command) {
   form.text(command.axis);
+  form.choice(command.frame, JogFrame::plane);
   form.value(command.velocity);
   form.value_2(command.increment);
 }

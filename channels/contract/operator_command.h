@@ -61,6 +61,10 @@ enum class AutomaticLaw : std::uint8_t { modulated, linear };
 enum class ForceAction : std::uint8_t { off, on, set };
 enum class ForceQuantity : std::uint8_t { not_named, force, level, mass, frequency };
 
+// Whose directions a jog takes: axes of the machine, the tool, or the workpiece as programs see it
+// now, tilted planes included.
+enum class JogFrame : std::uint8_t { machine, tool, plane };
+
 namespace commands {
 
 // Drives of the axes that take part are enabled.
@@ -125,9 +129,10 @@ struct ProcessAutomatic {
   Switch to = Switch::off;
 };
 struct Jog {
-  ShortText axis{};
+  ShortText axis{};        // of the machine, or X, Y, Z of the frame
   double velocity = 0.0;   // mm/s or deg/s
   double increment = 0.0;  // mm or deg; 0: while it is renewed
+  JogFrame frame = JogFrame::machine;
 };
 struct Home {
   ShortText axis{};  // empty: all of the channel

@@ -5,6 +5,7 @@
 #include <concepts>
 
 #include "base/visit_in_cycle.h"
+#include "channels/cycle/jogging.h"
 
 namespace stanok::channels {
 namespace {
@@ -18,17 +19,35 @@ std::string_view jog_refusal(std::string_view code) RT_SAFE {
   if (code == "E6056") return "axes of the channel are being moved by hand";
   if (code == "E6057") return "the axis stands on the limit switch at this end; jog it back";
   if (code == "E6053") return "the axis would leave its travel";
+  if (code == "E6003") return "a program is under way";
+  if (code == "E6055")
+    return "the scheme in force has no straight line in this direction; jog the axes of the "
+           "machine";
+  if (code == "E6059")
+    return "an axis of the scheme is not homed: where the tool points is unknown";
   return "the axis belongs to another channel, or is a spindle now";
 }
 
+Verdict jog_straight(Channel& channel, const commands::Jog& command) RT_SAFE {
+  constexpr std::string_view names = "XYZ";
+  const std::string_view name = command.axis.view();
+  const std::size_t coordinate = name.size() == 1 ? names.find(name[0]) : names.npos;
+  if (coordinate == names.npos)
+    return refusal("E6052", "the directions of the tool and of the plane are X, Y and Z");
+  const std::string_view code = jog(channel, command.frame, static_cast<int>(coordinate),
+                                    {.velocity = command.velocity, .increment = command.increment});
+  return code.empty() ? success() : refusal(code, jog_refusal(code));
+}
+
 Verdict apply_to(Channel& channel, const commands::Jog& command) RT_SAFE {
-  const int axis = channel.axes.named(command.axis.view());
-  if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
   if (!std::isfinite(command.velocity) || command.velocity == 0.0 || !(command.increment >= 0.0) ||
       !std::isfinite(command.increment))
     return refusal("E6054", "a jog needs a velocity that is not 0, and an increment of 0 or more");
+  if (command.frame != JogFrame::machine) return jog_straight(channel, command);
+  const int axis = channel.axes.named(command.axis.view());
+  if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
   const std::string_view code =
-      channel.jog({.axis = axis, .velocity = command.velocity, .increment = command.increment});
+      jog(channel, {.axis = axis, .velocity = command.velocity, .increment = command.increment});
   return code.empty() ? success() : refusal(code, jog_refusal(code));
 }
 

@@ -196,20 +196,6 @@ void Channel::take_axis(int axis, const YieldedAxis& yielded) RT_SAFE {
   motion.stand_with(axis, yielded.position);
 }
 
-std::string_view Channel::jog(const Jog& jog) RT_SAFE {
-  const int axis = jog.axis;
-  if (state().is_running() || state().is_ending()) return "E6003";
-  if (!state().is_powered()) return "E6006";
-  if (!axes.drive(axis).enabled) return schemes.parks(axis) ? "E6058" : "E6006";
-  if (!axes.owns(axis) || axes.is_spindle(axis)) return "E6052";
-  const AxisFeedback& drive = drives.feedback(axis);
-  if (!drive.valid || !drive.enabled) return "E6008";
-  const double from = motion.path().axes[axis].value;
-  const std::string_view refused = motion.manual().jog(jog, from, drive);
-  if (motion.manual().is_active()) run.apply(Change::hand_begins);
-  return refused;
-}
-
 void Channel::home(lang::AxisSet axes) RT_SAFE {
   motion.manual().home(axes);
   if (motion.manual().is_active()) run.apply(Change::hand_begins);

@@ -44,8 +44,7 @@ class Channel : public CycleParts {
   void power(Power to) RT_SAFE;  // off: axes braked and drives off at standstill
   [[nodiscard]] YieldedAxis yield_axis(int axis) RT_SAFE { return axes.yield(axis); }
   void take_axis(int axis, const YieldedAxis& yielded) RT_SAFE;
-  // By hand. Jog: why not, a code of the catalogue; empty: it goes.
-  [[nodiscard]] std::string_view jog(const Jog& jog) RT_SAFE;
+  // By hand; see jogging.h, too.
   void home(lang::AxisSet axes) RT_SAFE;
   // Of the axis of a spindle; false: the machine file gives it no home switch or index pulse.
   [[nodiscard]] bool begin_homing_of_spindle(int id) RT_SAFE;

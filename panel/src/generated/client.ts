@@ -980,6 +980,7 @@ export interface Methods {
       axis: string;
       velocity: number;
       increment?: number;
+      frame?: "machine" | "tool" | "plane";
       channel?: number;
     };
     result: {

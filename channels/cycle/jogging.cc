@@ -1,0 +1,61 @@
+#include "channels/cycle/jogging.h"
+
+#include "channels/axes/jog_direction.h"
+#include "channels/cycle/channel.h"
+
+namespace stanok::channels {
+namespace {
+
+std::string_view obstacle(const Channel& channel) RT_SAFE {
+  if (channel.state().is_running() || channel.state().is_ending()) return "E6003";
+  return channel.state().is_powered() ? "" : "E6006";
+}
+
+std::string_view obstacle_of_axis(const Channel& channel, int axis) RT_SAFE {
+  if (!channel.axes.drive(axis).enabled) return channel.schemes.parks(axis) ? "E6058" : "E6006";
+  if (!channel.axes.owns(axis) || channel.axes.is_spindle(axis)) return "E6052";
+  const AxisFeedback& drive = channel.drives.feedback(axis);
+  return drive.valid && drive.enabled ? "" : "E6008";
+}
+
+// A rotary axis that is not homed has directions of its own, and a parked one is where it is.
+std::string_view obstacle_of_line(const Channel& channel, const AxisArray<double>& direction)
+    RT_SAFE {
+  for (int axis = 0; axis < channel.axes.count(); ++axis) {
+    if (direction[axis] != 0.0) {
+      if (const auto code = obstacle_of_axis(channel, axis); !code.empty()) return code;
+    }
+    const bool counts = (channel.schemes.participants() >> axis & 1U) != 0;
+    if (counts && !channel.drives.feedback(axis).referenced) return "E6059";
+  }
+  return {};
+}
+
+void note_motion(Channel& channel) RT_SAFE {
+  if (channel.motion.manual().is_active()) channel.run.apply(Change::hand_begins);
+}
+
+}  // namespace
+
+std::string_view jog(Channel& channel, const Jog& jog) RT_SAFE {
+  if (const auto code = obstacle(channel); !code.empty()) return code;
+  if (const auto code = obstacle_of_axis(channel, jog.axis); !code.empty()) return code;
+  const double from = channel.motion.path().axes[jog.axis].value;
+  const auto refused = channel.motion.manual().jog(jog, from, channel.drives.feedback(jog.axis));
+  note_motion(channel);
+  return refused;
+}
+
+std::string_view jog(Channel& channel, JogFrame frame, int coordinate, JogLine line) RT_SAFE {
+  if (const auto code = obstacle(channel); !code.empty()) return code;
+  AxisMotion& motion = channel.motion;
+  const auto direction = jog_direction(frame, coordinate, motion.frame(), motion.axes_M());
+  if (!direction) return "E6055";
+  if (const auto code = obstacle_of_line(channel, *direction); !code.empty()) return code;
+  line.direction = *direction;
+  const auto refused = motion.manual().jog(line, channel.drives.feedback(), motion.path().axes);
+  note_motion(channel);
+  return refused;
+}
+
+}  // namespace stanok::channels

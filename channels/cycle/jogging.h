@@ -1,0 +1,21 @@
+// Jogs of the axes of a channel: what must hold before one begins. Real-time.
+#pragma once
+
+#include <string_view>
+
+#include "base/rt_safe.h"
+#include "channels/axes/manual_motion.h"
+#include "channels/contract/operator_command.h"
+
+namespace stanok::channels {
+
+class Channel;
+
+// Both return why not: a code of the catalogue; empty: it goes.
+[[nodiscard]] std::string_view jog(Channel& channel, const Jog& jog) RT_SAFE;
+// Along X, Y or Z (`coordinate` 0, 1, 2) of the tool or of the plane; the direction of `line` is
+// found here.
+[[nodiscard]] std::string_view jog(Channel& channel, JogFrame frame, int coordinate, JogLine line)
+    RT_SAFE;
+
+}  // namespace stanok::channels
