@@ -195,6 +195,21 @@ test('a step is a step', async () => {
   await page.getByRole('button', { name: 'while pressed' }).click();
 });
 
+test('in the directions of the workpiece the axes go as its rotation has them', async () => {
+  const choose = (group, name) =>
+    page.getByRole('group', { name: group }).getByRole('button', { name, exact: true }).click();
+  await stage.client.call('mdi', { text: 'G68 X0 Y0 R90', channel: 1, wait: 'done' });
+  await choose('Distance', '1');
+  await choose('Directions', 'workpiece');
+  const [x, y] = [await rests(), await at('Y')];
+  await page.getByRole('button', { name: 'move X +' }).click();
+  await until('a millimetre of Y', async () => Math.abs((await at('Y')) - y - 1) < 1e-6);
+  assert.ok(Math.abs((await rests()) - x) < 1e-6);
+  await stage.client.call('mdi', { text: 'G69', channel: 1, wait: 'done' });
+  await choose('Directions', 'machine axes');
+  await choose('Distance', 'while pressed');
+});
+
 test('Escape stops a long step, too', async () => {
   const choose = (group, name) =>
     page.getByRole('group', { name: group }).getByRole('button', { name, exact: true }).click();

@@ -13,6 +13,8 @@ export interface JogMotion {
   axis: string;
   /** mm/s or deg/s; the sign is the direction. */
   velocity: number;
+  /** Whose directions: left out, an axis of the machine; else `axis` is X, Y or Z. */
+  frame?: 'tool' | 'plane';
 }
 
 export interface JogPort {

@@ -5,6 +5,8 @@ import { refusals } from './refusal.svelte';
 
 export const steps = ['hold', '10', '1', '0.1', '0.01', '0.001'] as const;
 export type Step = (typeof steps)[number];
+export const frames = ['machine', 'tool', 'plane'] as const;
+export type Frame = (typeof frames)[number];
 
 // Which key moves which axis word, and in which direction.
 const keys: Record<string, [word: string, direction: 1 | -1]> = {
@@ -21,6 +23,8 @@ class Jogging {
   step = $state<Step>('hold');
   /** mm/s of linear axes; rotary axes turn with as many degrees a second. */
   velocity = $state(10);
+  /** Whose directions; each arming begins with the axes of the machine. */
+  frame = $state<Frame>('machine');
   moving = $state.raw<JogMotion | null>(null);
   /** The refusals of jogging are shown here. */
   place: Element | null = null;
@@ -31,7 +35,7 @@ class Jogging {
   #stepped: number | null = null;
   #lease = new JogLease(
     {
-      jog: ({ channel, axis, velocity }) => store.call('jog', { channel, axis, velocity }),
+      jog: (motion) => store.call('jog', { ...motion }),
       hold: (channel) => store.call('program.hold', { channel }),
       mayGoOn: () =>
         this.armed && store.live && document.visibilityState === 'visible' && document.hasFocus(),
@@ -41,8 +45,9 @@ class Jogging {
     (motion) => (this.moving = motion),
   );
 
-  /** The axes of the chosen channel that take part: word of programs, and name of the machine. */
+  /** What can be moved, word and name: the axes of the chosen channel that take part, or directions. */
   axes(): { word: string; name: string }[] {
+    if (this.frame !== 'machine') return ['X', 'Y', 'Z'].map((word) => ({ word, name: word }));
     const { words = [], axis_names: names = [], axes = {} } = store.channel ?? {};
     return words
       .map((word, i) => ({ word, name: names[i] ?? word }))
@@ -53,7 +58,8 @@ class Jogging {
     if (!this.armed) return;
     this.place = place;
     const velocity = this.velocity * direction;
-    const motion = { channel: store.chosen, axis, velocity };
+    const frame = this.frame === 'machine' ? {} : { frame: this.frame };
+    const motion = { channel: store.chosen, axis, velocity, ...frame };
     if (this.step === 'hold') this.#lease.press(motion);
     else this.#increment(motion, Number(this.step));
   }
@@ -67,6 +73,7 @@ class Jogging {
     this.release();
     this.#endStep();
     this.armed = false;
+    this.frame = 'machine';
   }
 
   /** True when the key is one of jogging and jogging is armed. */
