@@ -183,16 +183,22 @@ int run_study_command(const GrindOptions& options) {
   if (size > study_points_max) {
     throw CLI::ValidationError("--set", "more than a million designs");
   }
+  const auto part = read_study_part(options.part);
+  if (!part) {
+    throw CLI::ValidationError("--part",
+                               "'" + options.part + "' is not K/N with K from 1 to N, as 3/10");
+  }
   auto input = read_input(options);
   if (!input) return exit_failed;
   ProgressLine progress;
+  const std::size_t designs = part->end(checked_size(size)) - part->begin(checked_size(size));
   const auto show = [&](std::size_t done) {
     constexpr std::size_t columns = 79;
-    progress.show(progress_bar(done, checked_size(size), "designs", columns));
+    progress.show(progress_bar(done, designs, "designs", columns));
   };
-  const std::vector<StudyPoint> points = run_study(input->request, variations, show);
+  const std::vector<StudyPoint> points = run_study(input->request, variations, *part, show);
   progress.clear();
-  const std::string text = study_csv(variations, points);
+  const std::string text = study_csv(variations, *part, points);
   if (options.out.empty()) {
     write_data(text);
   } else {
@@ -327,6 +333,11 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
       ->add_option("--set,--vary", of_study->variations,
                    "KEY=FROM:TO:COUNT, in equal steps, or KEY=A,B,C; several times")
       ->required();
+  study
+      ->add_option("--part", of_study->part,
+                   "the K-th of N parts of the study, for arrays of jobs: all parts one behind the "
+                   "other are the whole file; default 1/1")
+      ->type_name("K/N");
   study->add_option("--out", of_study->out, "CSV file; default: the standard output")
       ->type_name("FILE");
   add_process_options(*study, *of_study);

@@ -29,6 +29,7 @@ struct GrindOptions {
   int iterations = 40;
   bool force = false;
   std::vector<std::string> variations;
+  std::string part = "1/1";
   std::vector<std::string> spreads;
   // Files to write; empty: none.
   std::string out;

@@ -154,11 +154,13 @@ double study_size(const std::vector<Variation>& variations) {
 }
 
 std::vector<StudyPoint> run_study(const DesignRequest& request,
-                                  const std::vector<Variation>& variations,
+                                  const std::vector<Variation>& variations, const StudyPart& part,
                                   const std::function<void(std::size_t)>& show) {
   DesignRequest design = request;
   design.comparison = process::Comparison::none;
-  std::vector<StudyPoint> points(checked_size(study_size(variations)));
+  const std::size_t combinations = checked_size(study_size(variations));
+  const std::size_t begin = part.begin(combinations);
+  std::vector<StudyPoint> points(part.end(combinations) - begin);
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> done = 0;
   std::mutex fault_mutex;
@@ -166,7 +168,7 @@ std::vector<StudyPoint> run_study(const DesignRequest& request,
   const auto work = [&] {
     for (std::size_t index = next++; index < points.size(); index = next++) {
       try {
-        points[index] = studied(design, variations, index);
+        points[index] = studied(design, variations, begin + index);
       } catch (...) {
         const std::scoped_lock lock(fault_mutex);
         fault = std::current_exception();
@@ -195,13 +197,27 @@ std::vector<StudyPoint> run_study(const DesignRequest& request,
   return points;
 }
 
-std::string study_csv(const std::vector<Variation>& variations,
+std::optional<StudyPart> read_study_part(const std::string& text) {
+  constexpr std::size_t parts_max = study_points_max;
+  StudyPart part;
+  const char* const text_end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), text_end, part.number);
+  if (number.ec != std::errc() || number.ptr == text_end || *number.ptr != '/') return std::nullopt;
+  const auto of = std::from_chars(number.ptr + 1, text_end, part.of);
+  if (of.ec != std::errc() || of.ptr != text_end || part.of > parts_max) return std::nullopt;
+  if (part.number < 1 || part.number > part.of) return std::nullopt;
+  return part;
+}
+
+std::string study_csv(const std::vector<Variation>& variations, const StudyPart& part,
                       const std::vector<StudyPoint>& points) {
   std::string text;
-  for (const Variation& variation : variations) text += variation.key + ",";
-  text +=
-      "cycle_time_s,lower_bound_s,constant_safe_s,feeds,q_over_d_max,residual_mm,"
-      "size_error_soft_mm,size_error_stiff_mm,finding\n";
+  if (part.number == 1) {
+    for (const Variation& variation : variations) text += variation.key + ",";
+    text +=
+        "cycle_time_s,lower_bound_s,constant_safe_s,feeds,q_over_d_max,residual_mm,"
+        "size_error_soft_mm,size_error_stiff_mm,finding\n";
+  }
   for (const StudyPoint& point : points) {
     std::string line;
     for (const double value : point.values) {

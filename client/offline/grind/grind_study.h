@@ -32,14 +32,34 @@ constexpr int study_points_max = 1'000'000;
 // The number of combinations; above study_points_max they are not to be run.
 [[nodiscard]] double study_size(const std::vector<Variation>& variations);
 
-// All combinations, the last variation fastest, in this order whatever the number of threads.
+// One of `of` parts of a study, about equally long, from 1. All of them in their order are the
+// study.
+struct StudyPart {
+  std::size_t number = 1;
+  std::size_t of = 1;
+
+  // The first combination of this part of so many; that of part `of` + 1 is the end.
+  [[nodiscard]] std::size_t begin(std::size_t combinations) const {
+    return combinations * (number - 1) / of;
+  }
+  [[nodiscard]] std::size_t end(std::size_t combinations) const {
+    return combinations * number / of;
+  }
+};
+// "3/10"; nothing: it is none.
+[[nodiscard]] std::optional<StudyPart> read_study_part(const std::string& text);
+
+// All combinations of the part, the last variation fastest, in this order whatever the number of
+// threads.
 // `show` is called now and then with the number of those that are done; what it throws ends the
 // study.
 [[nodiscard]] std::vector<StudyPoint> run_study(const process::DesignRequest& request,
                                                 const std::vector<Variation>& variations,
+                                                const StudyPart& part,
                                                 const std::function<void(std::size_t)>& show);
 
-[[nodiscard]] std::string study_csv(const std::vector<Variation>& variations,
+// The headings stand above the first part only.
+[[nodiscard]] std::string study_csv(const std::vector<Variation>& variations, const StudyPart& part,
                                     const std::vector<StudyPoint>& points);
 
 }  // namespace stanok::client

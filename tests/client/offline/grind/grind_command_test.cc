@@ -202,6 +202,24 @@ TEST_F(Grind, StudiesListsAsRangesOfTheSameValues) {
   EXPECT_LT(first, of_list.find("\n100,"));
 }
 
+// More parts than designs, too: then some have none.
+TEST_F(Grind, PartsOfAStudyAreTheWholeOne) {
+  const std::string study = "grind study " + example_folder +
+                            "plunge_grinding.toml --points 3 --set part_speed=100:140:5 ";
+  ASSERT_EQ(run(study), 0);
+  const std::string whole = output();
+  for (const int parts : {1, 2, 3, 7}) {
+    std::string together;
+    for (int k = 1; k <= parts; ++k) {
+      ASSERT_EQ(run(study + "--part " + std::to_string(k) + "/" + std::to_string(parts)), 0);
+      together += output();
+    }
+    EXPECT_EQ(together, whole) << parts;
+  }
+  for (const char* wrong : {"0/3", "4/3", "1", "1/0", "a/3", "1/3x", "-1/3", ""})
+    EXPECT_EQ(run(study + "--part '" + wrong + "'"), 2) << wrong;
+}
+
 TEST_F(Grind, RefusesSetsOfAnotherForm) {
   for (const char* wrong : {"part_speed=", "part_speed=100,", "part_speed=,100", "part_speed=1,x",
                             "part_speed=1:2", "part_speed=1:2:3:", "part_speed=1:2:0",
