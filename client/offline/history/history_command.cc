@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <charconv>
-#include <chrono>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +12,7 @@
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
 #include "client/terminal/text_table.h"
+#include "gateway/history/answers.h"
 #include "gateway/history/queries.h"
 #include "gateway/outbox/wall_clock.h"
 #include "protocol/socket_location.h"
@@ -37,36 +36,15 @@ struct HistoryOptions {
   std::string to;
 };
 
-// "30d", "12h", "45min", back from now.
 double since_s(const std::string& text) {
-  double count = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  const std::string unit(end, text.data() + text.size());
-  const double unit_s = unit == "d" ? 86400.0 : unit == "h" ? 3600.0 : unit == "min" ? 60.0 : 0.0;
-  if (error != std::errc() || unit_s == 0.0 || count <= 0.0)
-    throw CLI::ValidationError("--since wants a time back from now, like 30d, 12h or 45min");
-  return gateway::wall_clock_s() - count * unit_s;
+  if (const auto time_s = gateway::time_back_from_now(text)) return *time_s;
+  throw CLI::ValidationError("--since wants a time back from now, like 30d, 12h or 45min");
 }
 
 std::string usual_database() {
   const char* named = std::getenv("STANOK_HISTORY");  // NOLINT(concurrency-mt-unsafe)
   if (named != nullptr && *named != '\0') return named;
   return protocol::default_state_directory("gateway") / "history.sqlite";
-}
-
-// A file that is not there is a mistake, not a history without entries.
-std::unique_ptr<History> open_history(const std::string& database) {
-  if (!gateway::is_server(database) && access(database.c_str(), F_OK) != 0)
-    throw std::runtime_error("there is no history " + database +
-                             "; name it with --database, as stanok-gateway --history does");
-  return std::make_unique<History>(database);
-}
-
-json json_of(const gateway::Value& value, ColumnKind kind) {
-  if (!value) return nullptr;
-  if (kind == ColumnKind::text) return *value;
-  if (kind == ColumnKind::yes_no) return *value == "1";
-  return gateway::number_of(value);
 }
 
 std::string cell_of(const gateway::Value& value, ColumnKind kind) {
@@ -89,7 +67,7 @@ void print_json(const gateway::Query& query, const gateway::Rows& rows) {
   for (const gateway::Row& row : rows) {
     json entry = json::object();
     for (std::size_t i = 0; i < row.size(); ++i)
-      entry[std::string(query.columns[i].name)] = json_of(row[i], query.columns[i].kind);
+      entry[std::string(query.columns[i].name)] = gateway::json_of(row[i], query.columns[i].kind);
     list.push_back(std::move(entry));
   }
   write_json(json{{query.name, std::move(list)}});
@@ -110,7 +88,8 @@ void print_table(const gateway::Query& query, const gateway::Rows& rows) {
 
 void show(const gateway::Query& query, const HistoryOptions& options) {
   const double begin_s = since_s(options.since);
-  const auto history = open_history(options.database.empty() ? usual_database() : options.database);
+  const auto history =
+      gateway::open_history(options.database.empty() ? usual_database() : options.database);
   const auto rows = gateway::ask(*history, query, begin_s, options.machine);
   if (options.json)
     print_json(query, rows);
@@ -123,7 +102,7 @@ void copy(const HistoryOptions& options) {
     if (gateway::holds_password(name))
       throw std::runtime_error("a password does not belong into " + std::string("an address: ") +
                                "write it into the file that PGPASSFILE names");
-  const auto from = open_history(options.from);
+  const auto from = gateway::open_history(options.from);
   History to(options.to);
   const auto counts = to.copy_from(*from);
   json result = json::object();
