@@ -124,8 +124,8 @@ class Browser:
     def enter(self, name, password):
         return self.request("POST", "/api/session", {"name": name, "password": password})
 
-    def open_window(self, **changed):
-        return Window(self, changed)
+    def open_window(self, path="/ws", **changed):
+        return Window(self, path, changed)
 
 
 class Refused(Exception):
@@ -139,7 +139,7 @@ class Refused(Exception):
 class Window:
     """A WebSocket to the machine."""
 
-    def __init__(self, browser, changed):
+    def __init__(self, browser, path, changed):
         self.socket = connect(browser.web)
         self.stream = self.socket.makefile("rb")
         self.last_id = 0
@@ -152,7 +152,7 @@ class Window:
                   "Cookie": browser.cookie or None}
         fields.update({name.replace("_", "-"): value for name, value in changed.items()})
         head = "".join(f"{name}: {value}\r\n" for name, value in fields.items() if value is not None)
-        self.socket.sendall(f"GET /ws HTTP/1.1\r\n{head}\r\n".encode())
+        self.socket.sendall(f"GET {path} HTTP/1.1\r\n{head}\r\n".encode())
         status, got = read_head(self.stream)
         if status != 101:
             content = self.stream.read()

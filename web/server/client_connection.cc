@@ -118,13 +118,16 @@ asio::awaitable<bool> ClientConnection::answer(const Request& request) {
   co_return co_await write(answer, request);
 }
 
-Expected<WebSession, Answer> ClientConnection::session_of(const Request& request) const {
+Expected<ClientConnection::Visit, Answer> ClientConnection::visit_of(const Request& request) const {
   const auto refused = [](Status status, const std::string& text) {
     return Unexpected<Answer>(refusal(status, text));
   };
+  constexpr std::string_view prefix = "/ws/";  // and the name of a machine
   if (const auto obstacle = services_.reception.obstacle(request))
     return Unexpected<Answer>(*obstacle);
-  if (path_of(request) != "/ws") return refused(Status::not_found, "the WebSocket is /ws");
+  const std::string_view path = path_of(request);
+  const bool is_named = path.starts_with(prefix) && path.size() > prefix.size();
+  if (path != "/ws" && !is_named) return refused(Status::not_found, "the WebSocket is /ws");
   // Browsers always tell; nobody else may come with what a browser keeps.
   if (request.count(Field::origin) != 1)
     return refused(Status::forbidden, "a WebSocket needs the field Origin");
@@ -132,18 +135,20 @@ Expected<WebSession, Answer> ClientConnection::session_of(const Request& request
   if (!session) return refused(Status::unauthorized, "there is no session");
   if (!services_.has_room_for_relay_of(session->identity.role))
     return refused(Status::service_unavailable, "too many pages are open");
-  return *session;
+  const auto* machine = services_.machines.find(is_named ? path.substr(prefix.size()) : "");
+  if (machine == nullptr) return refused(Status::not_found, "there is no such machine here");
+  return Visit{*session, machine->socket()};
 }
 
 asio::awaitable<void> ClientConnection::open_relay(Request request) {
-  auto session = session_of(request);
-  if (!session) {
+  auto visit = visit_of(request);
+  if (!visit) {
     request.keep_alive(false);
-    static_cast<void>(co_await write(session.error(), request));
+    static_cast<void>(co_await write(visit.error(), request));
     co_return;
   }
-  relay_ = std::make_shared<WebSocketRelay>(stream_, std::move(*session));
-  co_await relay_->serve(std::move(request), services_.machine.socket());
+  relay_ = std::make_shared<WebSocketRelay>(stream_, std::move(visit->session));
+  co_await relay_->serve(std::move(request), visit->socket);
 }
 
 void ClientConnection::close() {

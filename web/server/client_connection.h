@@ -25,7 +25,7 @@ struct Services {
   Scheme scheme = Scheme::http;
   Reception& reception;
   Authentication& authentication;
-  DaemonProbe& machine;
+  MachineList& machines;
   // Whether there is room for one more connection to the machine.
   std::function<bool(protocol::Role)> has_room_for_relay_of;
 };
@@ -63,8 +63,12 @@ class ClientConnection : public std::enable_shared_from_this<ClientConnection> {
   [[nodiscard]] boost::asio::awaitable<void> outlast();
   [[nodiscard]] boost::asio::awaitable<bool> write(const Answer& answer, const Request& request);
   [[nodiscard]] boost::asio::awaitable<bool> answer(const Request& request);
-  // Whose session asks for a connection to the machine, or why there is none.
-  [[nodiscard]] Expected<WebSession, Answer> session_of(const Request& request) const;
+  // Who asks for a connection to which machine, or why there is none.
+  struct Visit {
+    WebSession session;
+    std::filesystem::path socket;
+  };
+  [[nodiscard]] Expected<Visit, Answer> visit_of(const Request& request) const;
   [[nodiscard]] boost::asio::awaitable<void> open_relay(Request request);
 
   const Services& services_;

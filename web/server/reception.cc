@@ -36,6 +36,52 @@ bool takes_gzip(const Request& request) {
   return field_of(request, Field::accept_encoding).find("gzip") != std::string_view::npos;
 }
 
+// A form of a foreign page cannot send this type without being asked whether it may.
+bool has_json(const Request& request) {
+  return field_of(request, Field::content_type).starts_with("application/json");
+}
+
+Answer not_json() {
+  return refusal(Status::unsupported_media_type, "the content must be application/json");
+}
+
+// The texts of an object in the content; what is not there is empty.
+class Members {
+ public:
+  explicit Members(const Request& request) : content_(protocol::json_from_text(request.body())) {}
+
+  std::string operator[](const char* name) const {
+    const auto member = content_.is_object() ? content_.find(name) : content_.end();
+    return member != content_.end() && member->is_string() ? member->get<std::string>() : "";
+  }
+
+ private:
+  json content_;
+};
+
+HistoryQuestion question_of(const Request& request) {
+  const Members asked(request);
+  HistoryQuestion question;
+  question.query = asked["query"];
+  question.machine = asked["machine"];
+  if (!asked["since"].empty()) question.since = asked["since"];
+  return question;
+}
+
+Status status_of(HistoryFault::Kind kind) {
+  switch (kind) {
+    case HistoryFault::Kind::no_history:
+      return Status::not_found;
+    case HistoryFault::Kind::bad_question:
+      return Status::bad_request;
+    case HistoryFault::Kind::busy:
+      return Status::service_unavailable;
+    case HistoryFault::Kind::failed:
+      break;
+  }
+  return Status::bad_gateway;
+}
+
 // What a file is sent as to who asks for it so.
 Answer answer_of(const PageFile& file, const Request& request) {
   Answer answer{.media_type = file.media_type, .content = file.content};
@@ -55,12 +101,10 @@ std::string_view path_of(const Request& request) {
   return target.substr(0, target.find('?'));
 }
 
-Reception::Reception(PageFiles& page, PageFiles& manual, Authentication& authentication,
-                     DaemonProbe& machine, const OwnNames& names)
-    : page_(page),
-      manual_(manual),
+Reception::Reception(const Exhibits& exhibits, Authentication& authentication,
+                     const OwnNames& names)
+    : exhibits_(exhibits),
       authentication_(authentication),
-      machine_(machine),
       names_(names),
       methods_(json_answer(Status::ok, protocol::discovery_document(protocol::version))) {}
 
@@ -78,8 +122,10 @@ std::optional<Answer> Reception::obstacle(const Request& request) const {
 asio::awaitable<Answer> Reception::answer(const Request& request, asio::ip::address from) {
   const auto path = path_of(request);
   if (path == "/api/session") co_return co_await answer_session(request, from);
+  if (path == "/api/history") co_return co_await history(request);
   if (!reads_only(request)) co_return not_allowed("GET, HEAD");
   if (path == "/api/openrpc.json") co_return methods_;
+  if (path == "/api/machines") co_return co_await overview(request);
   if (path == "/health") co_return co_await health();
   if (path.starts_with(manual_prefix)) co_return manual_file(request);
   co_return page_file(request);
@@ -92,51 +138,65 @@ asio::awaitable<Answer> Reception::answer_session(const Request& request, asio::
   co_return not_allowed("GET, HEAD, POST, DELETE");
 }
 
-// A form of a foreign page cannot send this type without being asked whether it may.
 asio::awaitable<Answer> Reception::begin_session(const Request& request, asio::ip::address from) {
-  if (!field_of(request, Field::content_type).starts_with("application/json"))
-    co_return refusal(Status::unsupported_media_type, "the content must be application/json");
-  const json wanted = protocol::json_from_text(request.body());
-  const auto text_of = [&](const char* name) {
-    const auto member = wanted.is_object() ? wanted.find(name) : wanted.end();
-    return member != wanted.end() && member->is_string() ? member->get<std::string>() : "";
-  };
-  const std::string token = text_of("token");
+  if (!has_json(request)) co_return not_json();
+  const Members wanted(request);
+  const std::string token = wanted["token"];
   if (!token.empty()) co_return authentication_.enter_by_link(token);
-  const std::string name = text_of("name");
+  const std::string name = wanted["name"];
   if (name.empty())
     co_return refusal(Status::bad_request,
                       R"(the content must be {"token": ""} or {"name": "", "password": ""})");
-  co_return co_await authentication_.enter_by_password(name, text_of("password"), from);
+  co_return co_await authentication_.enter_by_password(name, wanted["password"], from);
 }
 
 asio::awaitable<Answer> Reception::describe_session(const Request& request) {
   const auto session = authentication_.session_of(request);
   if (!session) co_return refusal(Status::unauthorized, "there is no session");
-  static_cast<void>(co_await machine_.daemon_answers());
+  MachineGlance& machine = exhibits_.machines.first();
+  static_cast<void>(co_await machine.daemon_answers());
   co_return json_answer(Status::ok, {{"name", session->identity.name},
                                      {"role", protocol::role_name(session->identity.role)},
-                                     {"machine", machine_.machine()}});
+                                     {"machine", machine.machine()}});
+}
+
+asio::awaitable<Answer> Reception::overview(const Request& request) {
+  if (!authentication_.session_of(request))
+    co_return refusal(Status::unauthorized, "there is no session");
+  const json machines = co_await exhibits_.machines.overview();
+  co_return json_answer(Status::ok,
+                        {{"machines", machines}, {"history", exhibits_.history.has_history()}});
+}
+
+asio::awaitable<Answer> Reception::history(const Request& request) {
+  if (request.method() != verb::post) co_return not_allowed("POST");
+  if (!authentication_.session_of(request))
+    co_return refusal(Status::unauthorized, "there is no session");
+  if (!has_json(request)) co_return not_json();
+  const auto answered = co_await exhibits_.history.ask(question_of(request));
+  if (answered) co_return json_answer(Status::ok, *answered);
+  co_return refusal(status_of(answered.error().kind), answered.error().text);
 }
 
 asio::awaitable<Answer> Reception::health() {
-  const bool answers = co_await machine_.daemon_answers();
+  const bool answers = co_await exhibits_.machines.first().daemon_answers();
   co_return json_answer(Status::ok, {{"status", "ok"}, {"daemon", answers}});
 }
 
 Answer Reception::page_file(const Request& request) {
-  if (const PageFile* file = page_.find(path_of(request))) return answer_of(*file, request);
+  if (const PageFile* file = exhibits_.page.find(path_of(request)))
+    return answer_of(*file, request);
   if (path_of(request) != "/") return text_answer(Status::not_found, "there is no such file\n");
-  return text_answer(Status::not_found, "there is no page in " + page_.folder().string() +
+  return text_answer(Status::not_found, "there is no page in " + exhibits_.page.folder().string() +
                                             "; --page names its folder\n");
 }
 
 Answer Reception::manual_file(const Request& request) {
   // With the slash before the name, as files are known by.
   const auto name = path_of(request).substr(manual_prefix.size() - 1);
-  if (const PageFile* file = manual_.find(name)) return answer_of(*file, request);
+  if (const PageFile* file = exhibits_.manual.find(name)) return answer_of(*file, request);
   return text_answer(Status::not_found, "there is no such document in " +
-                                            manual_.folder().string() +
+                                            exhibits_.manual.folder().string() +
                                             "; --manual names the folder of the documents\n");
 }
 

@@ -1,5 +1,5 @@
 // Reception: answers every request but that for a WebSocket: files of the page and of its manual,
-// sessions, the method table, health.
+// sessions, the method table, the machines and their history, health.
 //
 // One thread.
 #pragma once
@@ -10,18 +10,26 @@
 #include <string>
 
 #include "web/access/request_origin.h"
+#include "web/cell/history_desk.h"
+#include "web/cell/machine_list.h"
 #include "web/server/answer.h"
 #include "web/server/authentication.h"
-#include "web/server/daemon_probe.h"
 #include "web/server/page_files.h"
 
 namespace stanok::web {
 
+// What is shown; all of it outlives the reception.
+struct Exhibits {
+  PageFiles& page;
+  PageFiles& manual;
+  MachineList& machines;
+  HistoryDesk& history;
+};
+
 class Reception {
  public:
   // All outlive the reception.
-  Reception(PageFiles& page, PageFiles& manual, Authentication& authentication,
-            DaemonProbe& machine, const OwnNames& names);
+  Reception(const Exhibits& exhibits, Authentication& authentication, const OwnNames& names);
 
   // Why the request is not for this server, or comes from the page of another one.
   [[nodiscard]] std::optional<Answer> obstacle(const Request& request) const;
@@ -35,14 +43,14 @@ class Reception {
   [[nodiscard]] boost::asio::awaitable<Answer> begin_session(const Request& request,
                                                              boost::asio::ip::address from);
   [[nodiscard]] boost::asio::awaitable<Answer> describe_session(const Request& request);
+  [[nodiscard]] boost::asio::awaitable<Answer> overview(const Request& request);
+  [[nodiscard]] boost::asio::awaitable<Answer> history(const Request& request);
   [[nodiscard]] boost::asio::awaitable<Answer> health();
   [[nodiscard]] Answer page_file(const Request& request);
   [[nodiscard]] Answer manual_file(const Request& request);
 
-  PageFiles& page_;
-  PageFiles& manual_;
+  Exhibits exhibits_;
   Authentication& authentication_;
-  DaemonProbe& machine_;
   const OwnNames& names_;
   Answer methods_;
 };

@@ -31,9 +31,13 @@ void add_options(CLI::App& app, CommandLine& given) {
   app.add_option("--listen", given.listen,
                  "address and port; default 127.0.0.1:8080, port 0: a free one")
       ->type_name("ADDRESS:PORT");
-  app.add_option("--socket", given.options.socket,
-                 "socket of the daemon; default: the only one there is")
+  app.add_option("--socket", given.options.sockets,
+                 "socket of the daemon; default: the only one there is; may be given again, for a "
+                 "page that shows several machines, the first one as a rule")
       ->type_name("PATH");
+  app.add_option("--history", given.options.history,
+                 "history of the gateway that the page shows: file of SQLite or postgresql://...")
+      ->type_name("DATABASE");
   app.add_option("--link-socket", given.options.link_socket,
                  "where stanok panel asks for links; default: beside the socket of the daemon")
       ->type_name("PATH");
@@ -60,11 +64,13 @@ WebOptions complete(CommandLine given) {
   options.listen = *endpoint;
   if (options.page.empty()) options.page = stanok::web::usual_page_folder();
   if (options.manual.empty()) options.manual = stanok::web::usual_manual_folder();
-  const auto socket = stanok::protocol::chosen_socket(options.socket);
-  if (!socket) throw UsageError(socket.error());
-  options.socket = *socket;
+  if (options.sockets.empty()) {
+    const auto socket = stanok::protocol::chosen_socket({});
+    if (!socket) throw UsageError(socket.error());
+    options.sockets = {*socket};
+  }
   if (options.link_socket.empty())
-    options.link_socket = stanok::protocol::link_socket(options.socket);
+    options.link_socket = stanok::protocol::link_socket(options.sockets.front());
   return options;
 }
 

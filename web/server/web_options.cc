@@ -1,5 +1,7 @@
 #include "web/server/web_options.h"
 
+#include "gateway/database/database.h"
+#include "web/cell/machine_list.h"
 #include "web/server/listen_address.h"
 
 namespace stanok::web {
@@ -8,6 +10,11 @@ namespace stanok::web {
 void check(const WebOptions& options) {
   if (options.tls_certificate.empty() != options.tls_key.empty())
     throw UsageError("--tls-cert and --tls-key belong together");
+  if (const auto why = confusion(options.sockets); !why.empty()) throw UsageError(why);
+  if (gateway::is_server(options.history) && gateway::holds_password(options.history))
+    throw UsageError(
+        "--history: a password does not belong into an address; write it into the file that "
+        "PGPASSFILE names");
   if (options.listen.address().is_loopback()) return;
   std::string missing;
   if (options.tls_certificate.empty()) missing += "\n  --tls-cert FILE --tls-key FILE";

@@ -17,7 +17,8 @@ class UsageError : public std::runtime_error {
 
 struct WebOptions {
   boost::asio::ip::tcp::endpoint listen;
-  std::filesystem::path socket;       // of the daemon
+  std::vector<std::filesystem::path> sockets;  // of the daemons; the first is shown as a rule
+  std::string history;                // of the gateway: file or postgresql://...; empty: none
   std::filesystem::path link_socket;  // where links are given out
   std::filesystem::path page;
   std::filesystem::path manual;           // the documents that the page shows; may be missing

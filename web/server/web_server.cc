@@ -60,9 +60,11 @@ tcp::acceptor listening(asio::io_context& io, const tcp::endpoint& endpoint) {
 }  // namespace
 
 struct WebServer::Parts {
-  struct ServedFiles {
+  struct Shown {
     PageFiles page;
     PageFiles manual;  // documents that the page shows
+    MachineList machines;
+    HistoryDesk history;
   };
 
   explicit Parts(const WebOptions& options);
@@ -80,9 +82,8 @@ struct WebServer::Parts {
   Scheme scheme;
   std::string address;
   OwnNames names;
-  ServedFiles files;
+  Shown shown;
   Authentication authentication;
-  DaemonProbe machine;
   Reception reception;
   Services services;
   std::optional<LinkDesk> link_desk;
@@ -95,16 +96,21 @@ WebServer::Parts::Parts(const WebOptions& options)
       scheme(tls ? Scheme::https : Scheme::http),
       address((tls ? "https://" : "http://") + text_of(acceptor.local_endpoint())),
       names(own_names(options, scheme)),
-      files{.page = PageFiles(options.page, "index.html"),
-            .manual = PageFiles(options.manual, "README.md")},
+      shown{.page = PageFiles(options.page, "index.html"),
+            .manual = PageFiles(options.manual, "README.md"),
+            .machines = MachineList(options.sockets),
+            .history = HistoryDesk(options.history)},
       authentication(scheme, options.users,
                      [this](const auto& sessions) { connections.end_relays_of(sessions); }),
-      machine(options.socket),
-      reception(files.page, files.manual, authentication, machine, names),
+      reception({.page = shown.page,
+                 .manual = shown.manual,
+                 .machines = shown.machines,
+                 .history = shown.history},
+                authentication, names),
       services{.scheme = scheme,
                .reception = reception,
                .authentication = authentication,
-               .machine = machine,
+               .machines = shown.machines,
                .has_room_for_relay_of = [this](protocol::Role role) {
                  return connections.has_room_for_relay_of(role);
                }} {

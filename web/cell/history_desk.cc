@@ -1,0 +1,52 @@
+#include "web/cell/history_desk.h"
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <exception>
+
+#include "gateway/history/answers.h"
+#include "gateway/history/queries.h"
+
+namespace stanok::web {
+namespace {
+
+namespace asio = boost::asio;
+using nlohmann::json;
+using Answered = Expected<json, HistoryFault>;
+
+Answered refused(HistoryFault::Kind kind, std::string text) {
+  return Unexpected<HistoryFault>(HistoryFault{kind, std::move(text)});
+}
+
+// In the thread of the reader.
+asio::awaitable<Answered> read(std::string database, const gateway::Query& query, double since_s,
+                               std::string machine) {
+  try {
+    const auto history = gateway::open_history(database);
+    co_return gateway::table_json(query, gateway::ask(*history, query, since_s, machine));
+  } catch (const std::exception& error) {
+    co_return refused(HistoryFault::Kind::failed, error.what());
+  }
+}
+
+}  // namespace
+
+asio::awaitable<Answered> HistoryDesk::ask(HistoryQuestion question) {
+  using enum HistoryFault::Kind;
+  if (!has_history())
+    co_return refused(no_history, "this server has no history; --history DATABASE names one");
+  const gateway::Query* query = gateway::find_query(question.query);
+  if (query == nullptr) co_return refused(bad_question, "there is no such question to a history");
+  const auto since_s = gateway::time_back_from_now(question.since);
+  if (!since_s)
+    co_return refused(bad_question, "`since` is a time back from now, like 30d, 12h or 45min");
+  if (waiting_ >= questions_max)
+    co_return refused(busy, "too many questions wait for the history; ask again later");
+  ++waiting_;
+  Answered answered = co_await asio::co_spawn(
+      reader_, read(database_, *query, *since_s, question.machine), asio::use_awaitable);
+  --waiting_;
+  co_return answered;
+}
+
+}  // namespace stanok::web
