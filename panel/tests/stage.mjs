@@ -84,8 +84,8 @@ async function end(child, signal = 'SIGTERM') {
   await until('a process has ended', () => child.exitCode !== null || child.signalCode !== null);
 }
 
-async function startDaemon(folder, machine, programs) {
-  const socket = join(folder, 'stanok.sock');
+async function startDaemon(folder, machine, programs, name = 'stanok') {
+  const socket = join(folder, `${name}.sock`);
   for (const name of ['state', 'log']) mkdirSync(join(folder, name));
   const options = ['--machine', join(root, 'config/machines', machine), '--drives', 'embedded'];
   options.push('--lcm', 'off', '--socket', socket, '--state', join(folder, 'state'));
@@ -100,8 +100,9 @@ async function startDaemon(folder, machine, programs) {
   return { daemon, socket, client };
 }
 
-async function startServer(socket, users, listen = '127.0.0.1:0') {
+async function startServer(socket, users, listen = '127.0.0.1:0', others = []) {
   const options = ['--listen', listen, '--socket', socket, '--page', join(root, 'panel/dist')];
+  options.push(...others);
   options.push('--users', users);
   const server = spawn(join(bin, 'stanok-web'), options, { stdio: ['ignore', 'pipe', 'ignore'] });
   let printed = '';
@@ -113,8 +114,26 @@ async function startServer(socket, users, listen = '127.0.0.1:0') {
   return { server, address: new URL(link).host };
 }
 
-/** machine: file in config/machines; programs: files to be copied into the program root. */
-export async function setStage({ machine = 'e7106mf4.toml', programs: sources = [] } = {}) {
+/** A second machine beside the first one, and a gateway that keeps the history of both. */
+async function startNeighbour(folder, machine, socket) {
+  const own = join(folder, 'neighbour');
+  mkdirSync(join(own, 'programs'), { recursive: true });
+  const other = await startDaemon(own, machine, join(own, 'programs'), 'neighbour');
+  const words = ['--daemon', `stanok=${socket}`, '--daemon', `neighbour=${other.socket}`];
+  words.push('--broker', 'off', '--state', join(folder, 'gateway'));
+  const gateway = spawn(join(bin, 'stanok-gateway'), words, { stdio: 'ignore' });
+  const history = join(folder, 'gateway', 'history.sqlite');
+  await until('the history is there', () => existsSync(history));
+  return { other, gateway, options: ['--socket', other.socket, '--history', history] };
+}
+
+/** machine: file in config/machines; programs: files to be copied into the program root; neighbour: machine file of a
+    second machine that the same server shows. */
+export async function setStage({
+  machine = 'e7106mf4.toml',
+  programs: sources = [],
+  neighbour: second = null,
+} = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'panel-'));
   const programs = join(folder, 'programs');
   mkdirSync(programs);
@@ -125,7 +144,9 @@ export async function setStage({ machine = 'e7106mf4.toml', programs: sources = 
     const words = ['user', 'add', role, '--role', role, '--users', users];
     execFileSync(join(bin, 'stanok-web'), words, { input: `${password}\n` });
   }
-  let { server, address } = await startServer(socket, users);
+  const neighbour = second === null ? null : await startNeighbour(folder, second, socket);
+  const others = neighbour?.options ?? [];
+  let { server, address } = await startServer(socket, users, undefined, others);
   const browser = await chromium.launch({
     executablePath: chromiumPath,
     args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader'],
@@ -156,6 +177,7 @@ export async function setStage({ machine = 'e7106mf4.toml', programs: sources = 
 
   const stage = {
     client,
+    neighbour: neighbour?.other,
     programs,
     browser,
     faults,
@@ -188,13 +210,18 @@ export async function setStage({ machine = 'e7106mf4.toml', programs: sources = 
     silence: (on) => server.kill(on ? 'SIGSTOP' : 'SIGCONT'),
     async restartServer() {
       await end(server, 'SIGKILL');
-      ({ server, address } = await startServer(socket, users, address));
+      ({ server, address } = await startServer(socket, users, address, others));
     },
     async close() {
       server.kill('SIGCONT');
       await browser.close();
       client.close();
       await end(server);
+      if (neighbour !== null) {
+        neighbour.other.client.close();
+        await end(neighbour.gateway);
+        await end(neighbour.other.daemon);
+      }
       await end(daemon);
       rmSync(folder, { recursive: true });
     },

@@ -31,7 +31,7 @@ async function ask(body: object): Promise<Entry> {
 export function takeToken(place: Location, history: History): string | null {
   const hash = place.hash.slice(1);
   if (hash === '' || hash.startsWith('/')) return null;
-  history.replaceState(null, '', place.pathname);
+  history.replaceState(null, '', place.pathname + place.search);
   return hash;
 }
 

@@ -1,5 +1,6 @@
 // What the page asks of the machine from more than one place.
-import { store, type Channel } from './machine.svelte';
+import type { GlanceChannel } from './cell.svelte';
+import { store } from './machine.svelte';
 
 /** Feed hold of every channel, asked for at once; the first refusal is thrown when all were sent. */
 export async function holdAll(): Promise<void> {
@@ -23,7 +24,7 @@ export const stopAll = (): Promise<unknown> => store.call('machine.estop');
 export type StateKind = 'running' | 'waiting' | 'held' | 'alarm' | 'ready' | 'idle' | 'off';
 
 /** In one word what a channel is doing. */
-export function stateOf(channel: Channel, on: boolean): StateKind {
+export function stateOf(channel: GlanceChannel, on: boolean): StateKind {
   if (channel.alarm != null) return 'alarm';
   if (channel.state === 'Interrupted') return 'held';
   if (channel.program_status === 'Waiting') return 'waiting';
@@ -43,7 +44,7 @@ export const kindOfMark = {
 } satisfies Record<StateKind, string>;
 
 /** How much of the run is over by the predicted time, 0 to 1; null without a prediction. */
-export function progressOf(channel: Channel): number | null {
+export function progressOf(channel: GlanceChannel): number | null {
   const { predicted_s: predicted, remaining_s: remaining } = channel;
   if (predicted == null || remaining == null || predicted <= 0) return null;
   return Math.min(1, Math.max(0, 1 - remaining / predicted));

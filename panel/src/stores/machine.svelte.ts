@@ -7,6 +7,7 @@ import { Refusal, noData, ownNumbers, type Arguments, type Result } from '../rpc
 import { Link, type LinkState, type Socket } from '../rpc/link';
 import { mergePatch, type Json } from '../rpc/merge_patch';
 import { currentSession, type Session } from '../rpc/session';
+import { machineOf } from './cell.svelte';
 import { seldom } from './seldom';
 
 export type Machine = Result<'machine.status'>;
@@ -190,7 +191,9 @@ class MachineStore {
 
 function openSocket(): Socket {
   const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
-  const socket = new WebSocket(`${scheme}://${location.host}/ws`);
+  const machine = machineOf(location);
+  const path = machine === '' ? '/ws' : `/ws/${encodeURIComponent(machine)}`;
+  const socket = new WebSocket(`${scheme}://${location.host}${path}`);
   socket.binaryType = 'arraybuffer';
   return socket as unknown as Socket;
 }

@@ -1,6 +1,7 @@
 // Which view is shown: #/machine, #/help/E6070. The part behind the view is the view's own.
 export const views = [
   'machine',
+  'cell',
   'path',
   'programs',
   'tools',

@@ -5,6 +5,7 @@ import MachineView from './machine/MachineView.svelte';
 
 const loaders: Record<View, () => Promise<{ default: Component }>> = {
   machine: () => Promise.resolve({ default: MachineView }),
+  cell: () => import('./cell/CellView.svelte'),
   path: () => import('./path/PathView.svelte'),
   programs: () => import('./programs/ProgramsView.svelte'),
   tools: () => import('./tools/ToolsView.svelte'),

@@ -1,0 +1,78 @@
+// Two machines and their history behind one page: their tiles, the page of the other one, what was kept.
+//
+// With STANOK_WRITE_DOCS=1 it takes the picture of docs/operator/panel-views.md, too.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before } from 'node:test';
+import { root, setStage, storyOf, until } from './stage.mjs';
+
+const test = storyOf();
+let stage;
+let page;
+before(async () => {
+  stage = await setStage({ neighbour: 'lathe.toml' });
+  writeFileSync(join(stage.programs, 'part.nc'), 'G53 G1 X1 F6000\nG53 G1 X0\nM30\n');
+  await stage.switchOn();
+  page = await stage.openMachine();
+});
+after(async () => {
+  await stage?.close();
+  assert.deepEqual(stage.faults, []);
+});
+
+const tile = (name) => page.getByRole('article', { name, exact: true });
+
+test('all machines have a tile', async () => {
+  await page.getByRole('link', { name: 'Cell' }).click();
+  for (const name of ['stanok', 'neighbour']) await tile(name).waitFor();
+  await tile('stanok').getByText('on', { exact: true }).waitFor();
+  await tile('neighbour').getByText('off', { exact: true }).first().waitFor();
+});
+
+test('what ran is in the history, of this machine and not of the other one', async () => {
+  await stage.client.call('program.run', { program: 'part.nc', channel: 1, wait: 'done' });
+  const history = page.getByRole('region', { name: 'History' });
+  await until('the run is there', async () => {
+    await history.getByRole('button', { name: 'Read again' }).click();
+    return (await history.getByRole('cell', { name: 'part.nc' }).count()) === 1;
+  });
+  await history.getByRole('button', { name: 'Use' }).click();
+  await history.getByRole('columnheader', { name: 'OEE, %' }).waitFor();
+  const cells = history.getByRole('row').nth(1).getByRole('cell');
+  assert.deepEqual(
+    [await cells.nth(0).innerText(), await cells.nth(5).innerText()],
+    ['stanok', '100.0'],
+  );
+  if (process.env.STANOK_WRITE_DOCS === '1')
+    await page.screenshot({ path: join(root, 'docs/operator/pictures/panel-cell.png') });
+  await history.getByRole('button', { name: 'Alarms' }).click();
+  await history.getByText('There is nothing in this time').waitFor();
+});
+
+test('the name of a machine leads to its page, which works that machine alone', async () => {
+  await tile('neighbour').getByRole('link').click();
+  await page.locator('[data-state]').first().waitFor();
+  const header = page.locator('header').first();
+  const name = (await stage.neighbour.client.call('machine.status')).name;
+  await header.getByText(name, { exact: true }).waitFor();
+  await stage.neighbour.client.call('machine.on').catch(() => 0);
+  await until('the neighbour is on', async () => {
+    await stage.neighbour.client.call('machine.on').catch(() => 0);
+    return (await stage.neighbour.client.call('machine.status')).on;
+  });
+  await page.getByRole('button', { name: /STOP ALL/ }).click();
+  await until(
+    'the neighbour is off',
+    async () => !(await stage.neighbour.client.call('machine.status')).on,
+  );
+  assert.equal((await stage.client.call('machine.status')).on, true);
+});
+
+test('a machine that has gone is told, and the others are seen', async () => {
+  await page.goto(`${stage.address()}#/cell`);
+  await tile('neighbour').waitFor();
+  stage.neighbour.daemon.kill('SIGKILL');
+  await tile('neighbour').getByText('does not answer').waitFor();
+  await tile('stanok').getByText('on', { exact: true }).waitFor();
+});
