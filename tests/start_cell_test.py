@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""./start --cell: three machines work, are told to the broker and written into the history, and have a page each; at
+"""./start --cell: three machines work, are told to the broker and written into the history, and have one page; at
 Ctrl-C all of it ends.
 
 usage: start_cell_test.py SOURCE_FOLDER       exit code 77: mosquitto is not installed
@@ -47,6 +47,25 @@ def until(condition, what):
     return answer
 
 
+class Page:
+    """What a browser gets behind the link that was printed."""
+
+    def __init__(self, link):
+        self.server = link[1]
+        self.opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+        self.post("/api/session", {"token": link[2]})
+
+    def get(self, path):
+        with self.opener.open(self.server + path) as answer:
+            return answer.read()
+
+    def post(self, path, content):
+        fields = {"Content-Type": "application/json", "Origin": self.server}
+        request = urllib.request.Request(self.server + path, json.dumps(content).encode(), fields)
+        with self.opener.open(request) as answer:
+            return answer.read()
+
+
 def main():
     start = subprocess.Popen([os.path.join(SOURCE, "start"), "--cell", "--no-install"], stdout=subprocess.PIPE, text=True)
     said = ""
@@ -55,13 +74,10 @@ def main():
         assert line, said
         said += line
     try:
-        links = dict(re.findall(r"(\w+): (http://127\.0\.0\.1:\d+/)", said))
-        assert set(links) == MACHINES, said
-        for machine, link in links.items():
-            with urllib.request.urlopen(link) as page:
-                assert b"<html" in page.read(), machine
-        with open(os.path.join(CELL, "cell.html"), encoding="utf-8") as index:
-            assert index.read().count("<a ") == len(MACHINES)
+        page = Page(re.search(r"(http://127\.0\.0\.1:\d+)/#(\S+)", said))
+        assert b"<html" in page.get("/")
+        machines = json.loads(page.get("/api/machines"))["machines"]
+        assert {one["id"] for one in machines if one["answers"]} == MACHINES, machines
         port = int(re.search(r"mosquitto_sub -p (\d+)", said)[1])
         running = set()
         with Subscriber(port, "cell/+/state") as subscriber:
@@ -78,6 +94,8 @@ def main():
             return answer.returncode == 0 and '"ok":true' in re.sub(r"\s", "", answer.stdout)
 
         until(good_run, "a run in the history")
+        runs = json.loads(page.post("/api/history", {"query": "runs", "since": "1h"}))
+        assert runs["rows"], runs
     finally:
         start.send_signal(signal.SIGINT)
         said, _ = start.communicate(timeout=60)

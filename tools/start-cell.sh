@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced by ./start for --cell: three simulated machines, a broker, the gateway with a history, and a page of each.
+# Sourced by ./start for --cell: three simulated machines, a broker, the gateway with a history, and a page of all.
 #
 # Everything is on loopback and in build/cell, and ends with this script. What `start` gives: say, fail, quietly, $bin.
 # shellcheck disable=SC2154  # jobs comes from tools/environment.sh, bin from start
@@ -78,33 +78,21 @@ start_machine() {
   cell_operator "$member" machine on >/dev/null
 }
 
-# The link of a page is good once: it stands in a file beside its log, and in cell.html.
+# One page shows all machines. Its link is good once.
 start_cell_page() {
-  local member="$1"
-  "$bin/stanok-web" --listen 127.0.0.1:0 --socket "$cell/$member.sock" >"$cell/$member.link" 2>"$cell/page-$member.log" &
+  local member sockets=()
+  for member in "${cell_machines[@]}"; do sockets+=(--socket "$cell/$member.sock"); done
+  "$bin/stanok-web" --listen 127.0.0.1:0 "${sockets[@]}" --history "$cell/gateway/history.sqlite" \
+    >"$cell/page.link" 2>"$cell/page.log" &
   cell_processes+=("$!")
-  wait_for "page-$member" test -s "$cell/$member.link"
-}
-
-write_index() {
-  local member
-  {
-    echo '<!doctype html><meta charset="utf-8"><title>A cell of stanok</title><h1>A cell of stanok</h1><ul>'
-    for member in "${cell_machines[@]}"; do
-      echo "<li><a target=\"_blank\" href=\"$(grep -om 1 'http[^ ]*' "$cell/$member.link")\">$member</a></li>"
-    done
-    echo '</ul><p>A link is good once; <code>stanok panel --socket build/cell/MACHINE.sock</code> prints another one.</p>'
-  } >"$cell/cell.html"
+  wait_for page test -s "$cell/page.link"
 }
 
 say_what_to_look_at() {
-  local member
   say "What to look at, each in a terminal of its own"
   cat <<TEXT
-pages       file://$PWD/$cell/cell.html (each link once)
-TEXT
-  for member in "${cell_machines[@]}"; do echo "            $member: $(grep -om 1 'http[^ ]*' "$cell/$member.link")"; done
-  cat <<TEXT
+page        $(grep -om 1 'http[^ ]*' "$cell/page.link")   (good once: $bin/stanok panel --socket $cell/mill.sock prints another)
+            its view "Cell" shows the three machines and their history
 messages    mosquitto_sub -p $broker_port -t 'cell/#' -v
 history     $bin/stanok history oee --since 1h --database $cell/gateway/history.sqlite
             also runs, alarms, tools, drift
@@ -148,16 +136,15 @@ run_cell() {
   rm -rf "$cell"
   mkdir -p "$cell"
   trap end_cell EXIT
-  say "Starting three machines, broker, gateway and pages"
+  say "Starting three machines, broker, gateway and page"
   start_broker
   for member in "${cell_machines[@]}"; do
     start_machine "$member"
-    start_cell_page "$member"
     named+=(--daemon "$member=$cell/$member.sock")
   done
-  write_index
   begin gateway "$bin/stanok-gateway" "${named[@]}" --broker "127.0.0.1:$broker_port" --topic cell --state "$cell/gateway"
   wait_for gateway test -s "$cell/gateway/history.sqlite"
+  start_cell_page
   say_what_to_look_at
   run_cell_until_interrupted
   end_cell
