@@ -15,6 +15,9 @@
 #include "base/place.h"
 #include "base/system_error.h"
 #include "config/text/text_encoding.h"
+#include "lang/contract/blank_file.h"
+#include "runtime/workpiece/stl_files.h"
+#include "simulation/solid/stl_solid.h"
 
 namespace stanok::runtime {
 namespace {
@@ -91,6 +94,19 @@ Expected<std::string, Diagnostic> read_all(int file, std::string_view name, std:
   return text;
 }
 
+// The text that stands for an STL file.
+Expected<std::string, Diagnostic> read_stl(int file, std::string_view name) {
+  auto bytes = read_all(file, name, simulation::stl_bytes_max);
+  if (!bytes && bytes.error().code == "E8004") {
+    struct stat status{};
+    const bool is_known = ::fstat(file, &status) == 0;
+    const auto refusal = simulation::stl_too_large(is_known ? checked_size(status.st_size) : 0);
+    return Unexpected<Diagnostic>(
+        diagnostic(refusal.code.c_str(), std::string(name) + ": " + refusal.text, refusal.help));
+  }
+  return bytes ? blank_text_of(name, *bytes) : bytes;
+}
+
 // A file whose name differs in capitals only; the help of "file not found".
 std::string similar_name(const fs::path& folder, std::string_view name) {
   std::error_code ignored;
@@ -144,6 +160,7 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
     return Unexpected<Diagnostic>(diagnostic("E7002", fault + ": " + std::string(name),
                                              "name it as it stands below the program root"));
   }
+  const bool is_stl = lang::names_stl_file(name);
   const auto folders = folders_for(from);
   for (const fs::path& folder : folders) {
     const FileDescriptor file(open_beneath(folder, name));
@@ -159,7 +176,8 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
       }
       continue;
     }
-    auto text = read_all(file.number(), name, format_.bytes_max);
+    auto text =
+        is_stl ? read_stl(file.number(), name) : read_all(file.number(), name, format_.bytes_max);
     if (!text) return Unexpected<Diagnostic>(text.error());
     auto source = std::make_shared<lang::SourceText>();
     source->name = std::string(name);

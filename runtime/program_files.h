@@ -3,8 +3,9 @@
 //
 // Names are relative and stay beneath the root that they are found in, through symbolic links too
 // (openat2, RESOLVE_BENEATH). A text is read once and whole, and is UTF-8 from here on as far as
-// its encoding is known (config/text/text_encoding.h); only regular files are read. Any
-// thread; holds no state but the roots.
+// its encoding is known (config/text/text_encoding.h); only regular files are read. What is read of
+// an STL file is checked and becomes a short text (lang/contract/blank_file.h). Any thread; holds
+// no state but the roots.
 #pragma once
 
 #include <filesystem>

@@ -15,14 +15,15 @@ constexpr double bytes_per_ray = 240.0;
 constexpr double resolution_step = 1e-3;  // mm, to which the resolution that fits is rounded up
 
 Vector extent(const Blank& blank) {
-  if (blank.kind == BlankKind::box) return blank.size;
+  if (blank.kind != BlankKind::cylinder) return blank.size;
   return {blank.size.x(), blank.size.x(), blank.size.z()};
 }
 
-bool is_solid(const Blank& blank) {
+bool has_volume(const Blank& blank) {
   if (blank.kind == BlankKind::unknown) return false;
   if (!blank.size.allFinite() || !blank.zero.allFinite()) return false;
-  if (blank.kind == BlankKind::box) return blank.size.minCoeff() > 0.0;
+  if (blank.kind == BlankKind::solid && !(blank.solid && blank.scale > 0.0)) return false;
+  if (blank.kind != BlankKind::cylinder) return blank.size.minCoeff() > 0.0;
   return blank.size.x() > 0.0 && blank.size.z() > 0.0 && blank.size.y() >= 0.0 &&
          blank.size.y() < blank.size.x();
 }
@@ -41,7 +42,10 @@ BlankRefusal too_fine(const Blank& blank, double bytes, std::uint64_t memory_max
 }  // namespace
 
 Expected<Grid, BlankRefusal> grid_of(const Blank& blank, std::uint64_t memory_max) {
-  if (!is_solid(blank)) {
+  if (!blank.unknown_because.empty()) {
+    return Unexpected(BlankRefusal{"E9205", blank.unknown_because});
+  }
+  if (!has_volume(blank)) {
     return Unexpected(
         BlankRefusal{"E9202", "the sizes of the blank make neither a box nor a cylinder"});
   }
@@ -61,11 +65,13 @@ Expected<Grid, BlankRefusal> grid_of(const Blank& blank, std::uint64_t memory_ma
     grid.cell[k] = size[k] / cells;
   }
   if (blank.kind == BlankKind::cylinder) grid.origin = {-size.x() / 2.0, -size.y() / 2.0, 0.0};
+  if (blank.kind == BlankKind::solid) grid.origin = blank.scale * blank.solid->low;
   return grid;
 }
 
 double volume_of(const Blank& blank) {
   if (blank.kind == BlankKind::box) return blank.size.prod();
+  if (blank.kind == BlankKind::solid) return std::pow(blank.scale, 3.0) * blank.solid->volume;
   const double outer = blank.size.x() / 2.0;
   const double inner = blank.size.y() / 2.0;
   return std::numbers::pi * (outer * outer - inner * inner) * blank.size.z();

@@ -1,29 +1,36 @@
 // The blank that a program announces (#workpiece), and the grid in which it is cut.
 //
 // Frame K, fixed to the blank: axes as the program's at the announcement. Box: origin at the corner
-// with the smallest coordinates. Cylinder along Z: origin on its axis at the smaller Z. Lengths mm.
+// with the smallest coordinates. Cylinder along Z: origin on its axis at the smaller Z. Solid of an
+// STL file: as in the file. Lengths mm.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "base/expected.h"
 #include "simulation/picture/raster.h"
+#include "simulation/solid/stl_solid.h"
 
 namespace stanok::simulation {
 
 using Vector = Eigen::Vector3d;
 using Pose = Eigen::Isometry3d;
 
-enum class BlankKind : std::uint8_t { box, cylinder, unknown };
+enum class BlankKind : std::uint8_t { box, cylinder, solid, unknown };
 
 struct Blank {
   BlankKind kind = BlankKind::box;
-  Vector size = Vector::Zero();  // box: X, Y, Z; cylinder: diameter, inner diameter, length
+  // Box, and the one around a solid: X, Y, Z; cylinder: diameter, inner diameter, length.
+  Vector size = Vector::Zero();
   Vector zero = Vector::Zero();  // of the program, in K
   double resolution = 0.5;       // > 0: distance of the rays that carry the material
+  std::shared_ptr<const Solid> solid{};
+  double scale = 1.0;             // mm for a unit of the solid
+  std::string unknown_because{};  // kind unknown; empty: nobody knows
 };
 
 // Cells of about one resolution that fill the box round the blank evenly. Rays run through the
@@ -53,15 +60,16 @@ struct BlankRefusal {
   std::string text;
 };
 
-// Refuses sizes that are no blank (E9202) and a resolution for which rays, surface and picture
-// would take more than `memory_max` bytes (E9203; the text names the resolution that fits).
+// Refuses sizes that are no blank (E9202), an STL file that is not there (E9205) and a resolution
+// for which rays, surface and picture would take more than `memory_max` bytes (E9203; the text
+// names the resolution that fits).
 [[nodiscard]] Expected<Grid, BlankRefusal> grid_of(const Blank& blank,
                                                    std::uint64_t memory_max = memory_default);
 
 // mm³.
 [[nodiscard]] double volume_of(const Blank& blank);
 
-// How far a point in K is from the surface of the blank, mm, never negative.
+// How far a point in K is from the surface of a box or a cylinder, mm, never negative.
 [[nodiscard]] double distance_to_surface(const Blank& blank, const Vector& point_K);
 
 }  // namespace stanok::simulation

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/solid/solid_rays.h"
+
 namespace stanok::simulation {
 namespace {
 
@@ -46,6 +48,10 @@ Material::Material(const Blank& blank, const Grid& grid)
   for (int axis = 0; axis < 3; ++axis) {
     if (blank.kind == BlankKind::cylinder) {
       fill_cylinder(*this, blank, axis);
+      continue;
+    }
+    if (blank.kind == BlankKind::solid) {
+      fill_solid(*this, *blank.solid, blank.scale, axis);
       continue;
     }
     for (std::size_t ray = 0; ray < family(axis).size(); ++ray) {

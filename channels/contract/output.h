@@ -130,8 +130,9 @@ struct Workpiece {
   std::uint32_t shapes = 0;         // #workpiece alone
   bool has_shape = false;
   bool has_position = false;
-  lang::WorkpieceAnnouncement shape;
-  kinematics::Frame frame;  // W in B where the shape was announced
+  lang::WorkpieceShape shape;
+  FixedText<lang::blank_path_max + 1> file;  // of the shape
+  kinematics::Frame frame;                   // W in B where the shape was announced
   lang::WorkpiecePosition position;
 };
 

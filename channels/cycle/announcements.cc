@@ -24,6 +24,7 @@ void Announcements::show(const Remark& remark) RT_SAFE {
   if (const auto* blank = std::get_if<BlankNews>(&remark.news)) {
     ++workpiece_.shapes;
     workpiece_.shape = blank->shape;
+    workpiece_.file = blank->file;
     workpiece_.frame = blank->frame;
     workpiece_.has_shape = true;
   } else if (const auto* position = std::get_if<lang::WorkpiecePosition>(&remark.news)) {

@@ -135,7 +135,8 @@ struct SpokenText {
 
 // A blank, and where the program has its zero: the frame W -> B where the blank is announced.
 struct BlankNews {
-  lang::WorkpieceAnnouncement shape;
+  lang::WorkpieceShape shape;
+  FixedText<lang::blank_path_max + 1> file;
   kinematics::Frame frame;
 };
 

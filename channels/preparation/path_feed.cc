@@ -124,8 +124,9 @@ void PathFeed::take_other(const lang::Command& command, Taken& taken) {
                  [&](const lang::FrameChange&) { take_state(command); },
                  [&](const lang::FeedLawChange&) { blocks_.take_process(command.payload); },
                  [&](const lang::Message& message) { give_remark({tag, spoken(message)}); },
-                 [&](const lang::WorkpieceAnnouncement& shape) {
-                   give_remark({tag, BlankNews{shape, blocks_.transform().frame}});
+                 [&](const lang::WorkpieceAnnouncement& blank) {
+                   give_remark({tag, BlankNews{blank.shape, std::string_view(blank.file),
+                                               blocks_.transform().frame}});
                  },
                  [&](const lang::WorkpiecePosition& position) { give_remark({tag, position}); },
                  [&](const lang::Request& request) {

@@ -31,6 +31,7 @@ json geometry_of(const SurfacePage& page, std::size_t number) {
 
 // A kind that nobody knows is no blank: it has been refused.
 const char* name_of(simulation::BlankKind kind) {
+  if (kind == simulation::BlankKind::solid) return "solid";
   return kind == simulation::BlankKind::cylinder ? "cylinder" : "box";
 }
 

@@ -85,7 +85,9 @@ json workpiece_status(RunningMachine& machine) {
     if (workpiece.announcements == 0) continue;
     json row{{"channel", channel.id}, {"tool", channel.tool.number}};
     if (workpiece.has_shape) {
-      row["shape"] = workpiece.shape.type == 0 ? "box" : "cylinder";
+      constexpr std::array names{"box", "cylinder", "solid"};
+      row["shape"] = names.at(static_cast<std::size_t>(workpiece.shape.type));
+      if (!workpiece.file.empty()) row["file"] = workpiece.file.view();
       row["machining"] = workpiece.shape.machining_type == 0 ? "milling" : "turning";
       row["size"] = workpiece.shape.size_mm;
       row["zero"] = workpiece.shape.zero_mm;

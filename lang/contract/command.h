@@ -268,13 +268,25 @@ struct MarkCommand {
   std::uint32_t channels = 0;  // wait_soft: bit k stands for channel k, the own one included
 };
 
-// #workpiece, for displays and simulation.
-struct WorkpieceAnnouncement {
-  int type = 0;            // 0 box, 1 cylinder along Z
+// The blank of #workpiece without the name of its file.
+struct WorkpieceShape {
+  int type = 0;            // 0 box, 1 cylinder along Z, 2 the solid of an STL file
   int machining_type = 0;  // 0 milling, 1 turning
   double screen_resolution_mm = 0.0;
-  std::array<double, 3> size_mm{};  // cylinder: diameter, inner diameter, length
-  std::array<double, 3> zero_mm{};  // program zero from the corner with the smallest coordinates
+  std::array<double, 3> size_mm{};  // cylinder: diameter, inner diameter, length; file: its box
+  // Program zero from the corner with the smallest coordinates; file: in its coordinates.
+  std::array<double, 3> zero_mm{};
+  double scale = 1.0;             // mm for a unit of the file
+  std::uint64_t fingerprint = 0;  // of the file as it was when the program was loaded
+};
+
+// The longest path of an STL file, bytes.
+inline constexpr std::size_t blank_path_max = 255;
+
+// #workpiece, for displays and simulation.
+struct WorkpieceAnnouncement {
+  WorkpieceShape shape;
+  std::string file;  // path; of type 2
 };
 
 // #workpiece_pos: in the machine system.

@@ -198,6 +198,7 @@ class Files {
  public:
   virtual ~Files() = default;
   // `from` is the path of the text that names the file, empty for the operator. The error is E7xxx.
+  // The text of an STL file says what is known of it (blank_file.h).
   [[nodiscard]] virtual Expected<std::shared_ptr<const SourceText>, Diagnostic> read(
       std::string_view name, std::string_view from) const = 0;
 };

@@ -81,7 +81,8 @@ enum class Op : std::uint8_t {
   feed_law,           // (array... -> ), `count` of them: 0 no law, else a curve
   adaptive,           // (number... -> ), `count` of them: ForceControl::Kind `extra`
   orientation,        // TurningWay `extra`
-  workpiece,          // (number... -> ): extra 0 the workpiece, 1 its position
+  workpiece,          // (number... -> ): extra 0 the workpiece, 1 its position, 2 the workpiece of
+                      // the file called texts[operand]
   read_shared,        // (index... -> value): shared[operand], `count` indices
   write_shared,       // (index... value -> )
   combine_shared,     // (index... value -> ): Combination `extra`

@@ -8,8 +8,16 @@ void DirectiveCompiler::compile(const WorkpieceDirective& directive) {
   for (const Expression& argument : directive.arguments) {
     if (!expressions_.require(argument, Type::number, "the argument")) return;
   }
-  code_.emit(Op::workpiece, code_.statement_span(), 0,
-             static_cast<std::uint8_t>(directive.arguments.size()), directive.position ? 1 : 0);
+  const auto count = static_cast<std::uint8_t>(directive.arguments.size());
+  if (directive.file.empty()) {
+    code_.emit(Op::workpiece, code_.statement_span(), 0, count, directive.position ? 1 : 0);
+    return;
+  }
+  // Where there is none the loader has said so.
+  if (!context_.program.blanks.contains({context_.file, directive.file})) return;
+  file_.texts.push_back(directive.file);
+  code_.emit(Op::workpiece, code_.statement_span(),
+             static_cast<std::uint32_t>(file_.texts.size() - 1), count, 2);
 }
 
 void DirectiveCompiler::compile(const ToolOverhangDirective& directive) {

@@ -114,6 +114,7 @@ void Loader::find_all_files() {
       const auto index = static_cast<FileIndex>(parsed);
       parse(index);
       follow_includes(index);
+      follow_blanks(index, loaded_[parsed].tree);
       follow_calls(index, loaded_[parsed].tree);
     }
     follow_subprograms(static_cast<FileIndex>(searched), loaded_[searched].tree);
@@ -239,6 +240,46 @@ void Loader::follow_include(FileIndex index, const Statement& statement,
                                      failure.label.empty() ? "cannot be read" : failure.label);
   diagnostic.notes = failure.notes;
   diagnostic.help = failure.help;
+}
+
+// The STL files of blanks: what is wrong with one is known before anything moves.
+void Loader::follow_blanks(FileIndex index, const StatementList& list) {
+  for (const Statement& statement : list) {
+    const auto* const directive = std::get_if<WorkpieceDirective>(&statement.kind);
+    if (directive != nullptr && !directive->file.empty()) follow_blank(index, *directive);
+    for_each_body(statement, [&](const StatementList& body) { follow_blanks(index, body); });
+  }
+}
+
+void Loader::follow_blank(FileIndex index, const WorkpieceDirective& directive) {
+  Reporter& reporter = *loaded_[index].reporter;
+  if (!names_stl_file(directive.file)) {
+    reporter.error("E7020", directive.file_span, "the blank of a workpiece is an STL file",
+                   "does not end in .stl");
+    return;
+  }
+  const auto text = files_.read(directive.file, program_->files[index]->source.path());
+  if (!text) {
+    const Diagnostic& failure = text.error();
+    Diagnostic& error = reporter.error(failure.code, directive.file_span, failure.message,
+                                       failure.label.empty() ? "cannot be used" : failure.label);
+    error.notes = failure.notes;
+    error.help = failure.help;
+    return;
+  }
+  const auto file = read_blank_file((*text)->text);
+  if (!file) {
+    reporter.error("E7020", directive.file_span, directive.file + " is no STL file",
+                   "nothing of it can be read");
+  } else if ((*text)->path.size() > blank_path_max) {
+    reporter
+        .error("E7002", directive.file_span, "the path of the STL file is too long",
+               "lies too deep")
+        .help.push_back("move it nearer to the program root: its path has at most " +
+                        std::to_string(blank_path_max) + " bytes");
+  } else {
+    program_->blanks[{index, directive.file}] = {(*text)->path, *file};
+  }
 }
 
 void Loader::follow_calls(FileIndex index, const StatementList& list) {

@@ -58,6 +58,8 @@ class Loader {
   void follow_includes(FileIndex index);
   void follow_include(FileIndex index, const Statement& statement,
                       const IncludeDirective& directive);
+  void follow_blanks(FileIndex index, const StatementList& list);
+  void follow_blank(FileIndex index, const WorkpieceDirective& directive);
   void follow_calls(FileIndex index, const StatementList& list);
   void follow_call(FileIndex index, const CallStatement& statement);
   void follow_subprograms(FileIndex index, const StatementList& list);

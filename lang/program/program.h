@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/contract/blank_file.h"
 #include "lang/program/code.h"
 #include "lang/program/compile.h"
 #include "lang/words/named_parameter.h"
@@ -15,6 +16,12 @@ namespace stanok::lang {
 
 // Where numbered programs are looked for; M198 looks for files only.
 enum class SearchedTexts { all, files_only };
+
+// The STL file of a blank, and where it was found.
+struct FoundBlank {
+  std::string path;
+  BlankFile file;
+};
 
 class Program {
  public:
@@ -27,6 +34,8 @@ class Program {
   std::map<std::pair<std::uint16_t, int>, std::uint16_t> file_by_number;
   // program of a user code, as the machine file names it -> file
   std::map<std::string, std::uint16_t> file_by_macro;
+  // (file with #workpiece, name of the STL file as written) -> what was found
+  std::map<std::pair<std::uint16_t, std::string>, FoundBlank> blanks;
   NamedParameters named_parameters;
   std::vector<ConstantDispatch> dispatches;
   bool jumps = false;  // some text of it goes to block numbers

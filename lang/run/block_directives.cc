@@ -1,7 +1,9 @@
 #include "lang/run/block_directives.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "lang/actions/modal_restore.h"
@@ -36,6 +38,9 @@ enum WorkpieceArgument : std::size_t {
   zero_y,
   zero_z,
 };
+// With a file, behind the machining.
+enum FileArgument : std::size_t { file_zero_x = 3, file_scale = 6 };
+constexpr int file_type = 2;
 
 }  // namespace
 
@@ -194,17 +199,73 @@ void BlockDirectives::announce_workpiece(const Instruction& instruction) {
   for (std::size_t i = arguments.size(); i-- > 0;) arguments[i] = vm_.stack().pop_number();
   state_.begin_commands(vm_.instruction_origin());
   if (instruction.extra == 1) return place_workpiece(arguments);
+  if (instruction.extra == 2)
+    return announce_file(vm_.file().texts[instruction.operand], arguments);
   if (!check_workpiece(arguments)) return;
   const double unit = state_.length_unit();
-  WorkpieceAnnouncement workpiece;
-  workpiece.type = static_cast<int>(arguments[type]);
-  workpiece.machining_type = static_cast<int>(arguments[machining]);
-  workpiece.screen_resolution_mm = arguments[resolution];
+  WorkpieceShape shape;
+  shape.type = static_cast<int>(arguments[type]);
+  shape.machining_type = static_cast<int>(arguments[machining]);
+  shape.screen_resolution_mm = arguments[resolution];
   for (std::size_t k = 0; k < 3; ++k) {
-    workpiece.size_mm[k] = arguments[size_x + k] * unit;
-    workpiece.zero_mm[k] = arguments[zero_x + k] * unit;
+    shape.size_mm[k] = arguments[size_x + k] * unit;
+    shape.zero_mm[k] = arguments[zero_x + k] * unit;
   }
-  state_.queue.emit(workpiece);
+  state_.queue.emit(WorkpieceAnnouncement{shape, {}});
+}
+
+// The blank of an STL file; its scale is in mm whatever the units of the program.
+void BlockDirectives::announce_file(const std::string& name, const std::vector<double>& arguments) {
+  const FoundBlank& found = vm_.program().blanks.at({vm_.frames().back().file, name});
+  WorkpieceShape shape;
+  shape.type = file_type;
+  shape.machining_type = static_cast<int>(arguments[machining]);
+  shape.screen_resolution_mm = arguments[resolution];
+  shape.scale = arguments.size() > file_scale ? arguments[file_scale] : 1.0;
+  shape.fingerprint = found.file.fingerprint;
+  for (std::size_t k = 0; k < 3; ++k) {
+    shape.size_mm[k] = shape.scale * (found.file.high[k] - found.file.low[k]);
+    shape.zero_mm[k] = arguments[file_zero_x + k] * state_.length_unit();
+  }
+  if (check_file(arguments, shape.size_mm))
+    state_.queue.emit(WorkpieceAnnouncement{shape, found.path});
+}
+
+// What is smaller than a few rays or larger than any machine is in another unit.
+bool BlockDirectives::check_file(const std::vector<double>& arguments,
+                                 const std::array<double, 3>& size_mm) {
+  constexpr double cells_min = 2.0;
+  constexpr double size_max_mm = 1e5;
+  if (arguments[type] != file_type)
+    return refuse_workpiece("a blank from a file has the type 2", "type");
+  if (arguments.size() > file_scale && !(arguments[file_scale] > 0.0))
+    return refuse_workpiece("the scale is above 0: mm for a unit of the file", "scale");
+  if (!check_display(arguments)) return false;
+  const auto [smallest, largest] = std::minmax_element(size_mm.begin(), size_mm.end());
+  if (*smallest >= cells_min * arguments[resolution] && *largest <= size_max_mm) return true;
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "the blank of the file is %g x %g x %g mm, %s",
+                size_mm[0], size_mm[1], size_mm[2],
+                *largest > size_max_mm ? "larger than 100 m" : "less than two resolutions thin");
+  Diagnostic fault = vm_.diagnostic("E3021", text.data(), "blank of a file");
+  fault.help.emplace_back(
+      "STL files have no unit: give mm for a unit of the file as the last argument, 25.4 for "
+      "inches or 1000 for m, or another resolution");
+  vm_.fail_with(std::move(fault));
+  return false;
+}
+
+bool BlockDirectives::check_display(const std::vector<double>& arguments) {
+  if (!(arguments[resolution] > 0.0))
+    return refuse_workpiece("the screen resolution is above 0 mm", "resolution");
+  if (arguments[machining] != 0.0 && arguments[machining] != 1.0)
+    return refuse_workpiece("the machining type is 0, milling, or 1, turning", "machining type");
+  return true;
+}
+
+bool BlockDirectives::refuse_workpiece(const char* message, const char* label) {
+  vm_.fail("E3021", message, label);
+  return false;
 }
 
 void BlockDirectives::place_workpiece(const std::vector<double>& arguments) {
@@ -217,26 +278,22 @@ void BlockDirectives::place_workpiece(const std::vector<double>& arguments) {
 }
 
 bool BlockDirectives::check_workpiece(const std::vector<double>& arguments) {
-  const auto refuse = [&](const char* message, const char* label) {
-    vm_.fail("E3021", message, label);
-    return false;
-  };
   const double kind = arguments[type];
-  if (kind == 2.0) {
-    vm_.fail("E2090", "a workpiece from a file is not supported in this release", "type 2");
-    return false;
+  if (kind == file_type) {
+    return refuse_workpiece(
+        "type 2 names a file: `#workpiece (2, resolution, machining, \"file.stl\", zero_X, zero_Y, "
+        "zero_Z)`",
+        "type");
   }
-  if (kind != 0.0 && kind != 1.0) return refuse("the type is 0, a box, or 1, a cylinder", "type");
-  if (arguments[resolution] <= 0.0)
-    return refuse("the screen resolution is above 0 mm", "resolution");
-  if (arguments[machining] != 0.0 && arguments[machining] != 1.0)
-    return refuse("the machining type is 0, milling, or 1, turning", "machining type");
+  if (kind != 0.0 && kind != 1.0)
+    return refuse_workpiece("the type is 0, a box, 1, a cylinder, or 2, an STL file", "type");
+  if (!check_display(arguments)) return false;
   if (arguments[size_x] <= 0.0 || arguments[size_z] <= 0.0)
-    return refuse("sizes are above 0", "size");
-  if (kind == 0.0 && arguments[size_y] <= 0.0) return refuse("sizes are above 0", "size");
+    return refuse_workpiece("sizes are above 0", "size");
+  if (kind == 0.0 && arguments[size_y] <= 0.0) return refuse_workpiece("sizes are above 0", "size");
   const bool hollow_fits = arguments[size_y] >= 0.0 && arguments[size_y] < arguments[size_x];
   if (kind == 1.0 && !hollow_fits)
-    return refuse("the inner diameter lies between 0 and the diameter", "inner diameter");
+    return refuse_workpiece("the inner diameter lies between 0 and the diameter", "inner diameter");
   return true;
 }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lang/actions/actions.h"
@@ -42,8 +43,12 @@ class BlockDirectives {
   void ask_overhang(const Instruction& instruction);
   std::optional<ToolOverhang> pop_overhang(const Instruction& instruction);
   void announce_workpiece(const Instruction& instruction);
+  void announce_file(const std::string& name, const std::vector<double>& arguments);
   void place_workpiece(const std::vector<double>& arguments);
   bool check_workpiece(const std::vector<double>& arguments);
+  bool check_file(const std::vector<double>& arguments, const std::array<double, 3>& size_mm);
+  bool check_display(const std::vector<double>& arguments);
+  bool refuse_workpiece(const char* message, const char* label);
   void save_gvector();
   void restore_gvector(const Instruction& instruction);
 

@@ -203,7 +203,9 @@ MaybeStatement DirectiveParser::parse_tool_overhang(const Span& name) {
   return statement;
 }
 
+// A text in the place of the first size is the file of the blank.
 MaybeStatement DirectiveParser::parse_workpiece(WorkpieceForm form, const Span& name) {
+  constexpr std::ptrdiff_t file_argument = 3;
   const bool position = form == WorkpieceForm::position;
   cursor_.set_line_ends(LineEnds::significant);
   WorkpieceDirective directive;
@@ -212,18 +214,29 @@ MaybeStatement DirectiveParser::parse_workpiece(WorkpieceForm form, const Span& 
   if (!cursor_.expect("(", text)) return std::nullopt;
   if (!expressions_.parse_list(")", directive.arguments) || !cursor_.finish_line())
     return std::nullopt;
-  const std::size_t wanted = position ? 6 : 9;
-  if (directive.arguments.size() != wanted) {
+  const bool has_file = !position && std::ssize(directive.arguments) > file_argument &&
+                        directive.arguments[std::size_t{file_argument}].node == Node::string;
+  const std::size_t given = directive.arguments.size();
+  const std::size_t wanted = position ? 6 : has_file ? 7 : 9;
+  if (given != wanted && !(has_file && given == wanted + 1)) {
     reporter_
-        .error("E3005", name,
-               text + " takes " + std::to_string(wanted) + " arguments, not " +
-                   std::to_string(directive.arguments.size()),
-               "the number of arguments is wrong")
-        .help.push_back(position
-                            ? "write `#workpiece_pos (x, y, z, psi, theta, phi)`"
-                            : "write `#workpiece (type, resolution, machining, X, Y, Z, zero_X, "
-                              "zero_Y, zero_Z)`");
+        .error(
+            "E3005", name,
+            text + " takes " + std::to_string(wanted) + " arguments, not " + std::to_string(given),
+            "the number of arguments is wrong")
+        .help.push_back(position   ? "write `#workpiece_pos (x, y, z, psi, theta, phi)`"
+                        : has_file ? "write `#workpiece (2, resolution, machining, \"file.stl\", "
+                                     "zero_X, zero_Y, zero_Z)`, and the scale behind it where "
+                                     "the file is not in mm"
+                                   : "write `#workpiece (type, resolution, machining, X, Y, Z, "
+                                     "zero_X, zero_Y, zero_Z)`");
     return std::nullopt;
+  }
+  if (has_file) {
+    const auto argument = directive.arguments.begin() + file_argument;
+    directive.file = argument->text;
+    directive.file_span = argument->span;
+    directive.arguments.erase(argument);
   }
   Statement statement;
   statement.kind = std::move(directive);

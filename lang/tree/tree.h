@@ -139,6 +139,8 @@ struct KinematicsDirective {
 // #workpiece, #workpiece_pos
 struct WorkpieceDirective {
   bool position = false;
+  std::string file;  // of the blank; not among the arguments
+  Span file_span;
   std::vector<Expression> arguments;
 };
 struct ToolOverhangDirective {

@@ -1,7 +1,12 @@
 #include "runtime/workpiece/workpiece_feed.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "recording/format/log_description.h"
+#include "runtime/workpiece/stl_files.h"
 
 namespace stanok::runtime {
 namespace {
@@ -9,6 +14,7 @@ namespace {
 using simulation::Vector;
 
 constexpr double standing_rev_per_min = 1.0;
+constexpr int type_of_file = 2;  // of #workpiece
 
 simulation::ToolRecord record_of(const channels::ToolRow& row) {
   simulation::ToolRecord record;
@@ -57,6 +63,34 @@ simulation::Blank blank_of(int type, const double* size, const double* zero, dou
   blank.zero = Vector::Map(zero);
   blank.resolution = resolution;
   return blank;
+}
+
+// What the messages of a blank from a file lack.
+constexpr const char* not_in_messages =
+    "the blank is an STL file, which logs and messages do not hold: let `stanok simulate` cut the "
+    "program, or look at the page of the daemon";
+
+// The STL file of a blank as it was when the program was loaded.
+void read_solid(const channels::Workpiece& workpiece, simulation::Blank& blank) {
+  auto bytes = bytes_of_stl(std::string(workpiece.file.view()));
+  if (!bytes) {
+    blank.unknown_because = bytes.error();
+    return;
+  }
+  if (recording::text_hash(*bytes) != workpiece.shape.fingerprint) {
+    blank.unknown_because =
+        fmt::format("{} is no more as it was when the program was loaded; load the program again",
+                    workpiece.file.view());
+    return;
+  }
+  auto solid = simulation::solid_of_stl(*bytes);
+  if (!solid) {
+    blank.unknown_because = solid.error().text;
+    return;
+  }
+  blank.kind = simulation::BlankKind::solid;
+  blank.scale = workpiece.shape.scale;
+  blank.solid = std::make_shared<const simulation::Solid>(std::move(*solid));
 }
 
 // As fine as the blank wants to be, or as fits; sizes that are none stay as they are.
@@ -129,6 +163,7 @@ WorkpieceNews news_of(const channels::Workpiece& workpiece) {
   const auto& shape = workpiece.shape;
   news.blank.blank =
       blank_of(shape.type, shape.size_mm.data(), shape.zero_mm.data(), shape.screen_resolution_mm);
+  if (shape.type == type_of_file) read_solid(workpiece, news.blank.blank);
   const kinematics::Frame& frame = workpiece.frame;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto row = static_cast<Eigen::Index>(k);
@@ -147,6 +182,7 @@ WorkpieceNews news_of(const workpiece_t& message) {
                      {},
                      {}};
   news.blank.blank = blank_of(message.shape, message.size, message.zero, message.screen_resolution);
+  if (message.shape == type_of_file) news.blank.blank.unknown_because = not_in_messages;
   for (Eigen::Index row = 0; row < 3; ++row)
     news.blank.program_in_base.linear().row(row) = Vector::Map(message.rotation + 3 * row);
   news.blank.program_in_base.translation() = Vector::Map(message.offset);

@@ -167,7 +167,7 @@ std::string draw_part(const Mesh& mesh, const Blank& blank, const Grid& grid,
   Vector size;
   for (int k = 0; k < 3; ++k) size[k] = grid.cell[k] * grid.count[k];
   const Vector centre = grid.origin + size / 2.0;
-  const LitSurface surface = lit(mesh, blank);
+  const LitSurface surface = lit(mesh, blank, grid);
   const auto views = cameras();
   const double scale = scale_for(views, size);
   for (std::size_t i = 0; i < views.size(); ++i) {

@@ -165,9 +165,31 @@ std::uint32_t pixel(const Buffer& buffer, int x, int y, float pixels_per_mm) {
   return byte(covered) << 24U | byte(sum.x()) << 16U | byte(sum.y()) << 8U | byte(sum.z());
 }
 
+// Whether the material on a ray through a point of the grid begins or ends at most `within` of it.
+// Points of a surface lie on rays.
+bool ends_a_ray(const Material& material, const Vector& point_K, double within) {
+  const Grid& grid = material.grid();
+  for (int axis = 0; axis < 3; ++axis) {
+    const int first = (axis + 1) % 3;
+    const int second = (axis + 2) % 3;
+    const auto cell = [&](int k) {
+      const double place = (point_K[k] - grid.origin[k]) / grid.cell[k];
+      return std::clamp(static_cast<int>(std::floor(place)), 0, grid.count[k] - 1);
+    };
+    bool ends = false;
+    material.family(axis).visit(material.ray(axis, cell(first), cell(second)),
+                                [&](const Interval& piece) {
+                                  ends = ends || std::abs(piece.from - point_K[axis]) < within ||
+                                         std::abs(piece.to - point_K[axis]) < within;
+                                });
+    if (ends) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-LitSurface lit(const Mesh& mesh, const Blank& blank) {
+LitSurface lit(const Mesh& mesh, const Blank& blank, const Grid& grid) {
   LitSurface surface{mesh, {}, {}};
   surface.normals.assign(mesh.points.size(), Eigen::Vector3f::Zero());
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -177,9 +199,16 @@ LitSurface lit(const Mesh& mesh, const Blank& blank) {
   }
   for (Eigen::Vector3f& normal : surface.normals) normal.stableNormalize();
   surface.is_raw.reserve(mesh.points.size());
+  const double within = raw_part * blank.resolution;
+  if (blank.kind == BlankKind::solid) {
+    const Material whole(blank, grid);
+    for (const Mesh::Point& point : mesh.points)
+      surface.is_raw.push_back(ends_a_ray(whole, point.cast<double>(), within) ? 1 : 0);
+    return surface;
+  }
   for (const Mesh::Point& point : mesh.points) {
     const double distance = distance_to_surface(blank, point.cast<double>());
-    surface.is_raw.push_back(distance < raw_part * blank.resolution ? 1 : 0);
+    surface.is_raw.push_back(distance < within ? 1 : 0);
   }
   return surface;
 }

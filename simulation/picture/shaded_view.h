@@ -16,7 +16,8 @@ struct LitSurface {
   std::vector<std::uint8_t> is_raw;      // of the points: they lie on the blank, nothing was cut
 };
 
-[[nodiscard]] LitSurface lit(const Mesh& mesh, const Blank& blank);
+// `mesh` is of what is left of `blank` in `grid`.
+[[nodiscard]] LitSurface lit(const Mesh& mesh, const Blank& blank, const Grid& grid);
 
 struct Camera {
   std::string name;                  // for people

@@ -10,7 +10,8 @@
 //                                  Z) whose A, C and R need no comma
 //
 // The machine: tools 1 to 9 of length 10 x number and radius 1, G55 at X100 Y200 Z300, all else 0.
-// The files of programs/cycles are found by their names there.
+// The files of programs/cycles are found by their names there; box_40_30_10.stl is a box of that
+// size over the origin.
 // Requests are answered with success and the number 2; M99 in the main program begins it again
 // once.
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lang/contract/blank_file.h"
 #include "lang/feed_law/law_types.h"
 #include "lang/text/source.h"
 #include "tests/lang/program_support.h"
@@ -218,8 +220,11 @@ class Describer {
       if ((mark.channels >> k & 1U) != 0) text += " " + std::to_string(k);
     return text;
   }
-  std::string operator()(const WorkpieceAnnouncement& workpiece) const {
-    std::string text = workpiece.type == 0 ? "workpiece box" : "workpiece cylinder";
+  std::string operator()(const WorkpieceAnnouncement& announcement) const {
+    static const char* const names[] = {"box", "cylinder", "file "};
+    const WorkpieceShape& workpiece = announcement.shape;
+    std::string text = std::string("workpiece ") + names[workpiece.type];
+    text += std::filesystem::path(announcement.file).filename().string();
     text += workpiece.machining_type == 0 ? " milling" : " turning";
     text += " " + number_text(workpiece.screen_resolution_mm);
     for (const double part : workpiece.size_mm) text += " " + number_text(part);
@@ -369,6 +374,8 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
       if (entry.path().parent_path().filename() != "included") continue;
       files.texts[entry.path().filename().string()] = file_text(entry.path());
     }
+    files.texts["box_40_30_10.stl"] =
+        text_of(BlankFile{.fingerprint = 1, .low = {}, .high = {40.0, 30.0, 10.0}});
     const std::filesystem::path cycles = conformance_folder.parent_path() / "cycles";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(cycles)) {
       if (entry.path().extension() != ".nc") continue;

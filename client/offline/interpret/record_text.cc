@@ -226,12 +226,17 @@ struct Fields {
     append(text, R"(,"what":"{}","number":{},"channels":{})", mark_names[mark.kind], mark.id,
            mark.channels);
   }
-  void operator()(const lang::WorkpieceAnnouncement& workpiece) const {
+  void operator()(const lang::WorkpieceAnnouncement& announcement) const {
+    const lang::WorkpieceShape& workpiece = announcement.shape;
     kind("sync");
     append(text,
            R"(,"what":"workpiece","type":{},"machining_type":{},"size":[{}],"zero":[{}],"cell":{})",
            workpiece.type, workpiece.machining_type, fmt::join(workpiece.size_mm, ","),
            fmt::join(workpiece.zero_mm, ","), workpiece.screen_resolution_mm);
+    if (announcement.file.empty()) return;
+    text += R"(,"file":)";
+    append_string(text, announcement.file);
+    append(text, R"(,"scale":{})", workpiece.scale);
   }
   void operator()(const lang::WorkpiecePosition& position) const {
     kind("sync");

@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
+
+#include "recording/format/log_description.h"
+#include "tests/support/stl_text.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::runtime {
 namespace {
@@ -189,6 +194,43 @@ TEST_F(LiveWorkpiecesTest, AnotherBlankTakesThePlaceOfTheFirst) {
   cycle_at(-10, 20, 30);
   look_until(block_mm3, 4 * rounding_mm3);
   EXPECT_GT(workpiece, first);
+}
+
+// A regular prism of 64 corners, cut through by the tool: the slot of 8 mm over the circle of 20 mm
+// has the area 2 (y sqrt(r² - y²) + r² asin (y / r)), y = 4, up to what the prism lacks of it.
+TEST_F(LiveWorkpiecesTest, CutsTheSolidOfAnStlFile) {
+  namespace st = stanok::testing;
+  constexpr int corners = 64;
+  const st::TemporaryDirectory folder;
+  const std::string bytes = st::binary_stl(st::stl_cylinder(20.0, -20.0, 0.0, corners));
+  const std::string path = (folder.path() / "round.stl").string();
+  std::ofstream(path, std::ios::binary) << bytes;
+  announce(0.5);
+  channels::Workpiece& announced = channel().workpiece;
+  announced.shape.type = 2;
+  announced.shape.size_mm = {40.0, 40.0, 20.0};
+  announced.shape.zero_mm = {0.0, 0.0, 0.0};
+  announced.shape.fingerprint = recording::text_hash(bytes);
+  announced.file = std::string_view(path);
+  cycle_at(-40, 0, 10);
+  const double blank_mm3 = st::regular_polygon_area(20.0, corners) * 20.0;
+  look_until(blank_mm3, 4 * rounding_mm3);
+  cycle_at(-40, 0, -depth);
+  move_along_x(-40, 40, 0, -depth);
+  const double area = 2.0 * (4.0 * std::sqrt(400.0 - 16.0) + 400.0 * std::asin(0.2));
+  look_until(blank_mm3 - depth * area, 4 * rounding_mm3);
+  EXPECT_TRUE(complaints.empty());
+}
+
+TEST_F(LiveWorkpiecesTest, TellsThatAnStlFileIsGone) {
+  announce(0.5);
+  channel().workpiece.shape.type = 2;
+  channel().workpiece.file = std::string_view("/nowhere/round.stl");
+  cycle_at(-40, 0, 10);
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(3);
+  while (live.page(1, {}) && std::chrono::steady_clock::now() < patience) {
+  }
+  EXPECT_FALSE(live.page(1, {}));
 }
 
 // 60 x 40 x 20 mm at a thousandth of a millimetre would take thousands of gigabytes.
