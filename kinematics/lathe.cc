@@ -58,11 +58,13 @@ TurnedWorkpiece turned_workpiece(const SchemeConfig& active, int rotary_axis) {
           .rotary_axis = rotary_axis};
 }
 
-std::string turned_workpiece_defect(const SchemeConfig& config, const TurnedWorkpiece& workpiece) {
+std::string turned_workpiece_defect(const SchemeConfig& config, const TurnedWorkpiece& workpiece,
+                                    std::size_t radial) {
   if (workpiece.base_type != Cartesian::type_name && workpiece.base_type != Lathe::type_name) {
     return "it rides on a cartesian or lathe scheme, not on '" + workpiece.base_type + "'";
   }
-  if (!takes_part(config, config.linear[0])) return "X must take part";
+  if (!takes_part(config, config.linear[radial]))
+    return std::string(1, "XYZ"[radial]) + " must take part";
   if (!takes_part(config, workpiece.rotary_axis)) return "the rotary axis must take part";
   if (std::ranges::find(config.linear, workpiece.rotary_axis) != config.linear.end()) {
     return "the rotary axis must be none of X, Y, Z";

@@ -79,8 +79,9 @@ struct TurnedWorkpiece {
 
 [[nodiscard]] TurnedWorkpiece turned_workpiece(const SchemeConfig& active, int rotary_axis);
 
-// "" or what is missing: X and another axis, `rotary_axis`, must take part.
+// "" or what is missing: X, or another `radial` of X, Y and Z, and `rotary_axis` must take part.
 [[nodiscard]] std::string turned_workpiece_defect(const SchemeConfig& config,
-                                                  const TurnedWorkpiece& workpiece);
+                                                  const TurnedWorkpiece& workpiece,
+                                                  std::size_t radial = 0);
 
 }  // namespace stanok::kinematics

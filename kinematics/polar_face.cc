@@ -46,7 +46,7 @@ PolarFace::PolarFace(const SchemeConfig& config)
 PolarFace::PolarFace(const SchemeConfig& config, const Geometry& geometry)
     : FormulaScheme(config),
       shift_(config, geometry.lathe),
-      x_(config.linear[0]),
+      x_(config.linear[geometry.radial]),
       rotary_(geometry.rotary_axis),
       side_(geometry.negative_side ? -1.0 : 1.0) {}
 
@@ -66,14 +66,16 @@ double PolarFace::distance_to_singularity(const AxisVector<double>& point_B) con
 }
 
 std::string PolarFace::defect(const SchemeConfig& config) {
-  return turned_workpiece_defect(config, std::get<Geometry>(config.geometry));
+  const auto& geometry = std::get<Geometry>(config.geometry);
+  return turned_workpiece_defect(config, geometry, geometry.radial);
 }
 
-SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, FaceSide side) {
+SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, FaceSide side,
+                         std::size_t radial) {
   SchemeConfig config = active;
   config.type = PolarFace::type_name;
-  config.geometry =
-      PolarFace::Geometry{turned_workpiece(active, rotary_axis), side == FaceSide::negative};
+  config.geometry = PolarFace::Geometry{turned_workpiece(active, rotary_axis),
+                                        side == FaceSide::negative, radial};
   return config;
 }
 

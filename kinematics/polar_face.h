@@ -1,4 +1,5 @@
-// Polar face scheme (G12.1): milling on the end face of a turned workpiece with X and C alone.
+// Polar face scheme (G12.1): milling on the end face of a turned workpiece with X and C alone (or Y
+// and A, Z and B).
 //
 // The program thinks in a plane (x, y) that is fixed to the workpiece. In the point B, x stands in
 // the place of X and y, in mm, in the place of the rotary axis; the machine goes there by radius
@@ -8,8 +9,9 @@
 //                                    counter-clockwise, seen against Z (ISO 841)
 // The lower signs are the negative side: the tool works beyond the centre of the workpiece. All
 // other axes: as lathe.h. C is given in (-180, 180] before the zero; whole turns are the caller's
-// (winding_axes). The pole x = y = 0 is singular: within 1e-9 mm of it the angle is taken as 0 and
-// all derivatives of radius and angle as 0, callers keep away from it (distance_to_singularity).
+// (winding_axes). About X the radius is that of Y, about Y that of Z, in the same way. The pole x =
+// y = 0 is singular: within 1e-9 mm of it the angle is taken as 0 and all derivatives of radius and
+// angle as 0, callers keep away from it (distance_to_singularity).
 #pragma once
 
 #include "kinematics/angle_units.h"
@@ -34,6 +36,7 @@ class PolarFace final : public FormulaScheme<PolarFace> {
 
   struct Geometry : TurnedWorkpiece {
     bool negative_side = false;  // the tool works beyond the centre
+    std::size_t radial = 0;      // of X, Y and Z the one that goes across the axis of rotation
 
     [[nodiscard]] std::vector<SchemeKey> keys() { return {}; }
   };
@@ -69,8 +72,9 @@ class PolarFace final : public FormulaScheme<PolarFace> {
 // Of the centre, on which the tool works.
 enum class FaceSide : std::uint8_t { positive, negative };
 
-// The scheme of a channel while G12.1 is on: `active` (cartesian or lathe) with the plane of its X
-// and `rotary_axis`, index in the channel.
-[[nodiscard]] SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, FaceSide side);
+// The scheme of a channel while G12.1 is on: `active` (cartesian or lathe) with the plane of its X,
+// or another `radial` of X, Y and Z, and `rotary_axis`, index in the channel.
+[[nodiscard]] SchemeConfig face_scheme(const SchemeConfig& active, int rotary_axis, FaceSide side,
+                                       std::size_t radial = 0);
 
 }  // namespace stanok::kinematics

@@ -44,11 +44,16 @@ double distance_of_arc(Place from, Place centre, double sweep) {
   return std::min(std::hypot(from.x, from.y), std::hypot(to.x, to.y));
 }
 
+// Of X, Y and Z the one across the axis of a face; the rotary axis stands for the one behind it.
+std::size_t radial_of(const lang::TransformationChange& change) {
+  return (AxisIndex(change.replaced).place() + 2) % 3;
+}
+
 kinematics::SchemeConfig scheme_of(const lang::TransformationChange& change,
                                    const kinematics::SchemeConfig& active,
                                    kinematics::FaceSide side) {
   return change.kind == lang::Transformation::polar_face
-             ? kinematics::face_scheme(active, change.rotary_axis, side)
+             ? kinematics::face_scheme(active, change.rotary_axis, side, radial_of(change))
              : kinematics::cylinder_scheme(active, change.rotary_axis, change.radius_mm);
 }
 
@@ -90,8 +95,9 @@ void FaceTransformation::begin(const lang::TransformationChange& change,
   active_ = &active;
   motion::Point point_B{};
   active.forward(kinematics::PointMode::axes, {}, axes_M, point_B);
-  side_ = motion::at(point_B, motion_.geometry[0]) < 0.0 ? kinematics::FaceSide::negative
-                                                         : kinematics::FaceSide::positive;
+  const int radial = motion_.geometry[is_face() ? radial_of(change) : 0];
+  side_ = motion::at(point_B, radial) < 0.0 ? kinematics::FaceSide::negative
+                                            : kinematics::FaceSide::positive;
 }
 
 void FaceTransformation::forget() {
@@ -104,7 +110,8 @@ kinematics::Transform FaceTransformation::applied_to(const kinematics::Transform
   const AxisIndex rotary = change_.rotary_axis;
   kinematics::SchemeConfig config =
       is_face()
-          ? kinematics::face_scheme(active_->config(), change_.rotary_axis, side_)
+          ? kinematics::face_scheme(active_->config(), change_.rotary_axis, side_,
+                                    radial_of(change_))
           : kinematics::cylinder_scheme(active_->config(), change_.rotary_axis, change_.radius_mm);
   config.zero[rotary] += programmed.frame.offset[rotary];
   made_.push_back(kinematics::make_scheme(config));
@@ -135,13 +142,13 @@ std::array<int, 3> FaceTransformation::geometry() const {
 
 double FaceTransformation::distance_to_pole(const motion::Point& start,
                                             const motion::PathBlock& block) const {
-  const double offset = block.transform->frame.offset[motion_.geometry[0]];
+  const int radial = motion_.geometry[radial_of(change_)];
+  const double offset = block.transform->frame.offset[radial];
   const auto place = [&](const motion::Point& point) {
-    return Place{motion::at(point, motion_.geometry[0]) + offset,
-                 motion::at(point, change_.rotary_axis)};
+    return Place{motion::at(point, radial) + offset, motion::at(point, change_.rotary_axis)};
   };
   const bool is_arc = block.kind == motion::BlockKind::arc &&
-                      block.plane == std::array{motion_.geometry[0], change_.rotary_axis};
+                      block.plane == std::array{radial, change_.rotary_axis};
   if (!is_arc) return distance_of_line(place(start), place(block.end));
   return distance_of_arc(place(start), {block.centre[0] + offset, block.centre[1]},
                          block.sweep_rad);

@@ -1,7 +1,7 @@
 // G12.1 and G7.1 in the preparation: the face or the side of a turned workpiece as a plane.
 //
 // While one of them is on, the path in W is one in mm over that plane, with the rotary axis in
-// the place of its second coordinate: on the face the word is in mm already, on the cylinder it is
+// the place of one coordinate: on the face the word is in mm already, on the cylinder it is
 // in deg and becomes the developed length. The scheme is made from the active one; a work offset of
 // the rotary axis, in deg, becomes part of its zero.
 #pragma once
@@ -42,7 +42,7 @@ class FaceTransformation {
   // Between programmed coordinates and those of the path; they differ on the cylinder.
   [[nodiscard]] motion::Point to_path(motion::Point programmed) const;
   [[nodiscard]] motion::Point to_program(motion::Point path) const;
-  // X, Y, Z of the workpiece space: the rotary axis stands for Y.
+  // X, Y, Z of the workpiece space: the rotary axis stands for one of them.
   [[nodiscard]] std::array<int, 3> geometry() const;
 
   // How near a line or arc from `start` comes to where the axis of rotation pierces the face, mm.

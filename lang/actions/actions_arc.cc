@@ -45,12 +45,14 @@ std::string in_mm(double value) {
 }
 
 std::optional<ArcPlane> arc_plane_of(ActiveBlock& block, CodeNumber code) {
+  static constexpr std::array centre_words{'I', 'J', 'K'};
   if (const AxisIndex face_axis = block.modal.face_axis(); face_axis.exists()) {
-    ArcPlane face{block.modal.geometry[0], face_axis};
+    const std::size_t radial = block.modal.transformation.radial;
+    ArcPlane face{block.modal.geometry[radial], face_axis, centre_words[radial],
+                  centre_words[(radial + 1) % 3]};
     face.set_by = Group::transformation;
     return face;
   }
-  static constexpr std::array centre_words{'I', 'J', 'K'};
   const PlaneCoordinates& coordinates = plane_coordinates[block.modal.plane()];
   ArcPlane plane{block.channel_words.geometry_axis(coordinates.first),
                  block.channel_words.geometry_axis(coordinates.second),
@@ -71,6 +73,12 @@ std::optional<ArcPlane> arc_plane_of(ActiveBlock& block, CodeNumber code) {
     return std::nullopt;
   }
   return plane;
+}
+
+// X and C, Y and A, Z and B.
+Plane plane_of_face(const ActiveBlock& block) {
+  static constexpr std::array planes{Plane::xy, Plane::yz, Plane::zx};
+  return planes.at(block.modal.transformation.radial);
 }
 
 bool is_on_cylinder(const ActiveBlock& block) {
@@ -231,7 +239,7 @@ void move_in_arc(ActiveBlock& block, CodeNumber code) {
   const bool about_z = on_cylinder && block.modal.transformation.along == 2;
   move.plane = about_z                            ? Plane::yz
                : on_cylinder                      ? Plane::xy
-               : block.modal.face_axis().exists() ? Plane::xy
+               : block.modal.face_axis().exists() ? plane_of_face(block)
                                                   : block.modal.plane();
   const bool mirrored = plane->first_gain * plane->second_gain < 0.0;
   move.counter_clockwise = (code == g(3)) != mirrored;

@@ -1,6 +1,7 @@
 // Actions of transformations: G12.1 polar face, G7.1 cylinder, G13.1 off.
 //
-// On the face the channel's C is programmed in mm, as the second axis of a plane with X; on the
+// On the face the channel's C is programmed in mm, as the second axis of a plane with X, or, where
+// the channel has no C but one of the two, A with Y or B with Z; on the
 // cylinder it stays in deg, and the feed is that along the surface. Where the point stands in the
 // new coordinates is the channel's knowledge: the program waits for it. The cylinder turns by C
 // about Z, by A about X or by B about Y: the axis whose word has the radius.
@@ -50,6 +51,23 @@ struct CylinderAxis {
 };
 constexpr auto cylinder_axes = std::to_array<CylinderAxis>({{'C', 2, 1}, {'A', 0, 1}, {'B', 1, 0}});
 
+// A rotary axis, and the linear coordinate across it in the plane of the face.
+struct FaceAxis {
+  char word;
+  std::size_t radial;
+};
+constexpr auto face_axes = std::to_array<FaceAxis>({{'C', 0}, {'A', 1}, {'B', 2}});
+
+// C, or the only one of A and B that the channel has.
+const FaceAxis& face_of(const ActiveBlock& block) {
+  const auto turns = [&](char word) {
+    const AxisIndex axis = block.channel_words.axis_called(std::string_view(&word, 1));
+    return axis.exists() && block.channel.axes[axis].rotary;
+  };
+  if (turns('C') || turns('A') == turns('B')) return face_axes[0];
+  return turns('A') ? face_axes[1] : face_axes[2];
+}
+
 // The one whose word the block has; C where it has none.
 const CylinderAxis& cylinder_of(const ActiveBlock& block) {
   const auto named = [&](const CylinderAxis& row) {
@@ -71,13 +89,17 @@ void cancel_transformation(ActiveBlock& block, CodeNumber code) {
 void select_polar_face(ActiveBlock& block, CodeNumber code) {
   if (excludes_transformation(block, code)) return;
   if (excluded_by_mode(block, code, {Exclusion::transformation})) return;
-  const auto axis = rotary_axis(block, code, 'C');
+  const FaceAxis& face = face_of(block);
+  const auto axis = rotary_axis(block, code, face.word);
   if (!axis) return;
-  if (!block.modal.geometry[0].exists()) {
-    block.fail("E4306", {'G', code, {}}, "`G12.1` needs an axis X in the channel", "");
+  if (!block.modal.geometry[face.radial].exists()) {
+    block.fail("E4306", {'G', code, {}},
+               std::string("`G12.1` needs an axis ") + "XYZ"[face.radial] + " in the channel", "");
     return;
   }
-  change(block, {Transformation::polar_face, 0.0, axis->number()});
+  block.modal.transformation.radial = face.radial;
+  const int replaced = static_cast<int>((face.radial + 1) % 3);
+  change(block, {Transformation::polar_face, 0.0, axis->number(), replaced});
 }
 
 // G7.1 Cn, An or Bn; a radius of 0 is G13.1.

@@ -260,6 +260,7 @@ struct ActiveTransformation {
   double cylinder_radius_mm = 0.0;  // G7.1
   // G7.1: the linear coordinate along the axis of the cylinder, 2 of C, 0 of A, 1 of B.
   std::size_t along = 2;
+  std::size_t radial = 0;  // G12.1: the linear coordinate across, 0 of C, 1 of A, 2 of B
 };
 
 }  // namespace stanok::lang

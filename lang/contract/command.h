@@ -159,8 +159,8 @@ struct TransformationChange {
   Transformation kind = Transformation::off;
   double radius_mm = 0.0;  // cylinder
   int rotary_axis = -1;    // index in the channel
-  // Cylinder: whose place in the planes the length around has, 1 of Y (about Z or X), 0 of X (about
-  // Y).
+  // Whose place in the planes the rotary axis has. Cylinder: 1 of Y (about Z or X), 0 of X (about
+  // Y); face: the one behind the linear axis across it, 1 about Z, 2 about X, 0 about Y.
   int replaced = 1;
 };
 

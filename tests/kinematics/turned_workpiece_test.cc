@@ -42,6 +42,36 @@ TEST(PolarFace, GoesByRadiusAndAngleOnEitherSideOfTheCentre) {
   EXPECT_NEAR(axes_M[2], 30 + angle - 180, 1e-12);
 }
 
+// A about X with Y across: y = 30 and a = 40 are the radius 50 at 53.13 deg; X goes along.
+TEST(PolarFace, IsThatOfAWithYAndOfBWithZ) {
+  const double angle = std::atan2(40.0, 30.0) * 180.0 / std::numbers::pi;
+  SchemeConfig mill;
+  mill.type = "cartesian";
+  mill.axes = {0, 1, 2, 3};
+  mill.linear = {0, 1, 2};
+  mill.zero = {1.0, 2.0, 3.0, 10.0};
+  mill.geometry = Cartesian::Geometry{};
+  const PolarFace about_x(face_scheme(mill, 3, FaceSide::positive, 1));
+  AxisVector<double> axes_M{};
+  about_x.inverse(PointMode::axes, {}, {7, 30, 5, 40}, axes_M);
+  EXPECT_EQ(axes_M[0], 8.0);
+  EXPECT_NEAR(axes_M[1], 52.0, 1e-12);
+  EXPECT_EQ(axes_M[2], 8.0);
+  EXPECT_NEAR(axes_M[3], 10.0 + angle, 1e-12);
+  AxisVector<double> point_B{};
+  about_x.forward(PointMode::axes, {}, axes_M, point_B);
+  EXPECT_NEAR(point_B[1], 30.0, 1e-12);
+  EXPECT_NEAR(point_B[3], 40.0, 1e-12);
+  const PolarFace about_y(face_scheme(mill, 3, FaceSide::negative, 2));
+  about_y.inverse(PointMode::axes, {}, {7, 5, 30, 40}, axes_M);
+  EXPECT_EQ(axes_M[1], 7.0);
+  EXPECT_NEAR(axes_M[2], 3.0 - 50.0, 1e-12);
+  EXPECT_NEAR(axes_M[3], 10.0 + angle - 180.0, 1e-12);
+  SchemeConfig without_y = mill;
+  without_y.linear[1] = -1;
+  EXPECT_EQ(scheme_defect(face_scheme(without_y, 3, FaceSide::positive, 1)), "Y must take part");
+}
+
 // Along a circle round the centre only C moves, by v / r; along a ray only X.
 TEST(PolarFace, TurnsOnCirclesAndStandsOnRays) {
   const PolarFace scheme(face_scheme(lathe_in_diameter(), lathe_C, FaceSide::positive));

@@ -6,7 +6,8 @@
 //   ; channel lathe                  mill (X Y Z B C; C modulo 360), grind (the same axes), lathe
 //                                  (X Z C), master; two spindles: the mill with spindle 1, which
 //                                  has a position, and 2; spindle axis: the mill whose spindle
-//                                  becomes C; letters: E is dS, V is dl; plain corners: a lathe (X
+//                                  becomes C; table A, table B: a mill (X Y Z) with
+//                                  that axis; letters: E is dS, V is dl; plain corners: a lathe (X
 //                                  Z) whose A, C and R need no comma
 //
 // The machine: tools 1 to 9 of length 10 x number and radius 1, G55 at X100 Y200 Z300, all else 0.
@@ -357,6 +358,10 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
       channel.kind = ChannelKind::lathe;
       channel.plain_corners = true;
       channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}};
+    }
+    if (kind.starts_with("table ")) {
+      channel.axes = {{"X", false, 0.0, 0}, {"Y", false, 0.0, 1}, {"Z", false, 0.0, 2}};
+      channel.axes.push_back({kind.substr(6), true, 0.0, -1});
     }
     if (kind == "spindle axis") channel.axes.back().spindle = 1;
     if (kind == "letters") channel.address_alias = {{'E', "dS"}, {'V', "dl"}};
