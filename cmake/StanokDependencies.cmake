@@ -44,5 +44,6 @@ stanok_dependency(sqlite       PKGCONFIG sqlite3)
 stanok_dependency(postgres     PKGCONFIG libpq)
 stanok_dependency(mosquitto    PKGCONFIG libmosquitto)
 stanok_dependency(utf8proc     PKGCONFIG libutf8proc)
+stanok_dependency(polyclipping PKGCONFIG polyclipping)
 stanok_dependency(fast_float)
 stanok_dependency(kissfft)  # one header

@@ -109,6 +109,8 @@ void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
   const bool again = code.group == Group::radius_compensation && code.number != g(40);
   if (again && (!active.before || confirms_compensation(block, code))) return;
   const bool now = code.order < EffectOrder::radius_compensation ? active.before : active.after;
+  // G150 takes the side and the tool of its block and is not compensated itself.
+  if (code.action == CodeAction::mill_contour_pocket && !active.before) return;
   if (!again && (!now || !is_forbidden(block, code))) return;
   BlockFault& fault = block.fail(again ? "E4142" : "E4141", {code.letter, code.number, {}},
                                  "`" + code_text(code.letter, code.number) +

@@ -1,15 +1,27 @@
-// Action of circular pockets: G12 clockwise, G13 counter-clockwise.
+// Actions of pockets: G12 and G13, circular ones, and G150, with islands.
 //
-// The tool stands over the centre. It goes down to Z at feed, by half a circle to the first radius
-// I, around, with K and Q on to larger circles, Q apart up to K, and by half a circle back to the
-// centre, where it stays in the depth. D is the tool whose radius the circles are smaller by (D0:
-// none). In G91 L makes as many levels, Z deeper each. Source: Haas mill operator's manual, G12 and
-// G13; where the first circle begins (along the first axis) the manual leaves open.
+// G12 clockwise, G13 counter-clockwise: the tool stands over the centre. It goes down to Z at feed,
+// by half a circle to the first radius I, around, with K and Q on to larger circles, Q apart up to
+// K, and by half a circle back to the centre, where it stays in the depth. D is the tool whose
+// radius the circles are smaller by (D0: none). In G91 L makes as many levels, Z deeper each.
+// Source: Haas mill operator's manual, G12 and G13; where the first circle begins (along the first
+// axis) the manual leaves open.
+//
+// G150: the outline with its islands is a subprogram.
+// Source: Haas mill operator's manual, G150: P is the subprogram, X Y the point where the tool
+// comes down, Z the depth, R the level from which it does, Q the depth of a level, I or J the way
+// between lines along Y or X, K what stays at the walls for a last pass in the depth; G41 or G42 in
+// the block says on which side of the outline the pocket lies, D its tool. At the end the tool
+// stands over the start point on the level R.
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
+#include "lang/pockets/pocket_plan.h"
 
 namespace stanok::lang {
 namespace {
@@ -157,6 +169,268 @@ bool find_levels(ActiveBlock& block, CodeNumber code, Pocket& pocket) {
   return true;
 }
 
+constexpr std::size_t outline_elements_max = 500;  // of an outline
+constexpr double pocket_moves_max = 200'000.0;     // of a block; all of them are held at once
+constexpr double pocket_levels_max = 10'000.0;
+constexpr double closed_within_mm = 1e-3;
+constexpr double level_noise_mm = 1e-9;
+
+struct PocketAxes {
+  AxisIndex first;  // of the plane, and of the depth
+  AxisIndex second;
+  AxisIndex depth;
+
+  [[nodiscard]] AxisSet plane() const {
+    return static_cast<AxisSet>(axis_bit(first) | axis_bit(second));
+  }
+};
+
+struct PocketLevels {
+  double above = 0.0;          // R, W
+  std::vector<double> depths;  // W, the last one the bottom
+};
+
+PlanePoint in_plane(const PocketAxes& axes, const AxisValues& point) {
+  return {point[axes.first], point[axes.second]};
+}
+
+BlockFault& refuse(ActiveBlock& block, CodeNumber code, const std::string& why,
+                   const std::string& help) {
+  BlockFault& fault =
+      block.fail("E4069", {'G', code, {}}, "the pocket cannot be milled: " + why, "");
+  if (!help.empty()) fault.help.push_back(help);
+  return fault;
+}
+
+std::optional<PocketAxes> find_axes(ActiveBlock& block, CodeNumber code) {
+  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
+  const PocketAxes axes{block.channel_words.geometry_axis(plane.first),
+                        block.channel_words.geometry_axis(plane.second),
+                        block.channel_words.geometry_axis(plane.normal)};
+  if (axes.first.exists() && axes.second.exists() && axes.depth.exists()) return axes;
+  block.fail("E4036", {'G', code, {}}, "the channel lacks an axis of the pocket", "")
+      .notes.push_back(block.modal.origin_of(Group::plane));
+  return std::nullopt;
+}
+
+bool has_its_words(ActiveBlock& block, CodeNumber code, const PocketAxes& axes) {
+  const auto need = [&](char letter, const char* what) {
+    if (block.has(letter) && (letter == 'P' || letter == 'R' || block.value(letter) > 0.0))
+      return true;
+    block.fail(block.has(letter) ? "E4008" : "E4007",
+               {block.has(letter) ? letter : 'G', block.has(letter) ? -1 : code, {}},
+               std::string("`G150` needs ") + what, "");
+    return false;
+  };
+  if (!only_axes(block, code, static_cast<AxisSet>(axes.plane() | axis_bit(axes.depth))))
+    return false;
+  if (!need('P', "P, the subprogram of its outline") ||
+      !need('R', "R, the level from which the tool comes down") ||
+      !need('Q', "Q, the depth of a level, above zero"))
+    return false;
+  if (!is_programmed(block, axes.depth)) {
+    block.fail("E4007", {'G', code, {}}, "`G150` needs the depth of the pocket", "no depth");
+    return false;
+  }
+  if (block.has('I') == block.has('J')) {
+    block.fail("E4007", {'G', code, {}},
+               "`G150` needs either I or J, the way between the lines of the tool", "");
+    return false;
+  }
+  if (block.has('K') && block.value('K') < 0.0) return need('K', "K, what stays at the walls");
+  return need(block.has('I') ? 'I' : 'J', "the way between the lines of the tool above zero");
+}
+
+// The side on which the pocket lies, and the tool: what G41 or G42 of the block selected, which is
+// over with it. Nothing: there is none.
+std::optional<RadiusCompensation> take_compensation(ActiveBlock& block, CodeNumber code) {
+  const RadiusCompensation selected = block.modal.compensation;
+  block.modal.compensation = {};
+  block.set_modal(Group::radius_compensation, g(40));
+  if (selected.on() && selected.radius_mm > 0.0) return selected;
+  block
+      .fail("E4007", {'G', code, {}},
+            selected.on() ? "`G150` needs a tool with a radius"
+                          : "`G150` needs G41 or G42 in its block, the side of the outline on "
+                            "which the pocket lies",
+            selected.on() ? "radius 0" : "no side")
+      .help.emplace_back(
+          "write `G41 D1` into the block: left of an outline that runs "
+          "counter-clockwise lies its inside");
+  return std::nullopt;
+}
+
+std::optional<PocketLevels> find_levels(ActiveBlock& block, const PocketAxes& axes, double bottom) {
+  PocketLevels levels;
+  levels.above = block.modal.map.to_work(axes.depth, block.length('R'));
+  const double step = std::abs(block.modal.map.gain(axes.depth)) * block.length('Q');
+  const double depth = levels.above - bottom;
+  if (!(depth > 0.0)) {
+    block.fail("E4062", {'R', -1, {}}, "`R` of `G150` lies not above the bottom of the pocket", "");
+    return std::nullopt;
+  }
+  if (depth / step > pocket_levels_max) {
+    block.fail("E4063", {'Q', -1, {}}, "`Q` makes too many levels", "too small");
+    return std::nullopt;
+  }
+  for (int n = 1; n * step < depth - level_noise_mm; ++n)
+    levels.depths.push_back(levels.above - n * step);
+  levels.depths.push_back(bottom);
+  return levels;
+}
+
+std::optional<PlaneElement> element_of(const Move& move, PlanePoint start, const PocketAxes& axes,
+                                       Plane plane) {
+  PlaneElement element;
+  element.start = start;
+  element.end = in_plane(axes, move.end);
+  if (move.kind != MoveKind::arc) return element;
+  if (move.plane != plane || move.turns != 1) return std::nullopt;
+  element.arc = true;
+  element.centre = {move.centre[0], move.centre[1]};
+  element.counter_clockwise = move.counter_clockwise;
+  return with_sweep(element, 1);
+}
+
+// The first move leads to the outline; the others are it.
+std::vector<OutlineElement> outline_of(ActiveBlock& block, CodeNumber code, const PocketAxes& axes,
+                                       const std::vector<Command>& commands, PlanePoint start) {
+  std::vector<OutlineElement> outline;
+  PlanePoint at = start;
+  bool leads_in = true;
+  for (const Command& command : commands) {
+    if (move_of(command.payload) == nullptr) continue;
+    const auto* const move = std::get_if<Move>(&command.payload);
+    const auto element = move != nullptr && !move->machine_coordinates
+                             ? element_of(*move, at, axes, block.modal.plane())
+                             : std::nullopt;
+    const std::string line = std::to_string(command.origin.line);
+    if (!element || (move->words & ~axes.plane()) != 0) {
+      refuse(block, code,
+             "only lines and arcs in the plane may be in its outline, see line " + line,
+             "take other moves out of the subprogram");
+      return {};
+    }
+    at = element->end;
+    const bool moves = element->arc || norm(element->end - element->start) > same_point;
+    if (!leads_in && moves) outline.push_back({*element, command.origin.line});
+    leads_in = false;
+  }
+  if (outline.empty()) {
+    refuse(block, code, "the subprogram has no outline",
+           "its first move leads from the start point to the outline, the others are the outline");
+  } else if (outline.size() > outline_elements_max) {
+    refuse(block, code,
+           "its outline has more than " + std::to_string(outline_elements_max) + " elements",
+           "divide the pocket");
+  } else if (const double gap = norm(outline.back().element.end - outline.front().element.start);
+             gap > closed_within_mm) {
+    refuse(block, code, "its outline is open, by " + std::to_string(gap) + " mm",
+           "end where the first move of the subprogram ends");
+  }
+  return outline;
+}
+
+// An outline that runs the other way, so that its left becomes its right.
+void turn_about(std::vector<OutlineElement>& outline) {
+  std::reverse(outline.begin(), outline.end());
+  for (OutlineElement& one : outline) {
+    std::swap(one.element.start, one.element.end);
+    one.element.counter_clockwise = !one.element.counter_clockwise;
+  }
+}
+
+void turn_about(std::vector<PocketWay>& ways) {
+  for (PocketWay& way : ways) std::reverse(way.begin(), way.end());
+}
+
+class ContourPocketMoves {
+ public:
+  ContourPocketMoves(ActiveBlock& block, const PocketAxes& axes, double above)
+      : block_(block), axes_(axes), above_(above) {}
+
+  // Over the start point, and to R; from below R it goes up first.
+  void approach(PlanePoint start) {
+    lift();
+    over(start);
+    if (block_.modal.position_W[axes_.depth] > above_)
+      go(MoveKind::rapid, at_depth(above_), axis_bit(axes_.depth));
+  }
+  // A way in a depth; where the tool is not at its begin, it comes down there from above.
+  void cut(const PocketWay& way, double depth) {
+    const AxisValues& position = block_.modal.position_W;
+    const bool is_there = position[axes_.depth] == depth &&
+                          norm(in_plane(axes_, position) - way.front()) <= same_point;
+    if (!is_there) {
+      lift();
+      over(way.front());
+      go(MoveKind::line, at_depth(depth), axis_bit(axes_.depth));
+    }
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      if (norm(way[k] - in_plane(axes_, position)) <= same_point) continue;
+      go(MoveKind::line, at_point(way[k]), axes_.plane());
+    }
+  }
+  void end(PlanePoint start) {
+    lift();
+    over(start);
+  }
+
+ private:
+  void lift() {
+    if (block_.modal.position_W[axes_.depth] < above_)
+      go(MoveKind::rapid, at_depth(above_), axis_bit(axes_.depth));
+  }
+  void over(PlanePoint point) {
+    if (norm(in_plane(axes_, block_.modal.position_W) - point) > same_point)
+      go(MoveKind::rapid, at_point(point), axes_.plane());
+  }
+  [[nodiscard]] AxisValues at_depth(double depth) const {
+    AxisValues end = block_.modal.position_W;
+    end[axes_.depth] = depth;
+    return end;
+  }
+  [[nodiscard]] AxisValues at_point(PlanePoint point) const {
+    AxisValues end = block_.modal.position_W;
+    end[axes_.first] = point.first;
+    end[axes_.second] = point.second;
+    return end;
+  }
+  void go(MoveKind kind, const AxisValues& end, AxisSet words) {
+    if (block_.failed()) return;
+    Move move;
+    move.kind = kind;
+    move.end = end;
+    move.words = words;
+    resolve_feed(block_, move);
+    if (block_.failed()) return;
+    advance_position(block_, move);
+    block_.queue.emit(move);
+  }
+
+  ActiveBlock& block_;
+  const PocketAxes& axes_;
+  double above_;
+};
+
+void mill(ActiveBlock& block, CodeNumber code, const PocketAxes& axes, const PocketLevels& levels,
+          const PocketPlan& plan, PlanePoint start) {
+  double moves = 0.0;
+  for (const PocketWay& way : plan.level) moves += static_cast<double>(way.size());
+  if (moves * static_cast<double>(levels.depths.size()) > pocket_moves_max) {
+    block.fail("E4063", {'G', code, {}}, "the pocket makes too many moves", "too many")
+        .help.emplace_back("take larger levels Q or lines farther apart");
+    return;
+  }
+  ContourPocketMoves tool(block, axes, levels.above);
+  tool.approach(start);
+  for (const double depth : levels.depths) {
+    for (const PocketWay& way : plan.level) tool.cut(way, depth);
+  }
+  for (const PocketWay& way : plan.finish) tool.cut(way, levels.depths.back());
+  tool.end(start);
+}
+
 }  // namespace
 
 void mill_circular_pocket(ActiveBlock& block, CodeNumber code) {
@@ -170,6 +444,67 @@ void mill_circular_pocket(ActiveBlock& block, CodeNumber code) {
       !find_levels(block, code, pocket))
     return;
   PocketMoves(block, pocket).run();
+}
+
+void mill_contour_pocket(ActiveBlock& block, CodeNumber code) {
+  const auto selected = take_compensation(block, code);
+  if (!selected ||
+      excluded_by_mode(block, code, {Exclusion::transformation, Exclusion::inverse_time}))
+    return;
+  const auto axes = find_axes(block, code);
+  if (!axes || !has_its_words(block, code, *axes)) return;
+  const double gain = std::abs(block.modal.map.gain(axes->first));
+  if (gain != std::abs(block.modal.map.gain(axes->second))) {
+    block.fail("E4303", {'G', code, {}}, "the axes of the pocket are scaled by different factors",
+               "");
+    return;
+  }
+  const auto number = block.integer('P', 1, 99999999);
+  if (!number) return;
+  Move to_bottom;
+  resolve_ends(block, to_bottom);
+  const auto levels = find_levels(block, *axes, to_bottom.end[axes->depth]);
+  if (!levels) return;
+  if (block.contours == nullptr)
+    return void(refuse(block, code, "a contour cannot hold a cycle", ""));
+  const Contour contour = block.contours->subprogram(*number);
+  if (!contour.problem.empty()) {
+    refuse(block, code, contour.problem,
+           "the outline is the subprogram N or O of the number P, of plain blocks up to M99");
+    return;
+  }
+  ModalState modal = block.modal;
+  modal.position_W[axes->first] = to_bottom.end[axes->first];
+  modal.position_W[axes->second] = to_bottom.end[axes->second];
+  const PlanePoint start = in_plane(*axes, modal.position_W);
+  const ContourCommands made = commands_of(block, contour, std::move(modal));
+  if (!made.problem.empty()) return void(refuse(block, code, made.problem, ""));
+  PocketWish wish;
+  wish.outline = outline_of(block, code, *axes, made.commands, start);
+  if (block.failed()) return;
+  const bool left = selected->side == RadiusCompensation::Side::left;
+  if (!left) turn_about(wish.outline);
+  wish.start = start;
+  wish.radius_mm = selected->radius_mm;
+  wish.finish_mm = block.has('K') ? gain * block.length('K') : 0.0;
+  wish.step_mm = gain * block.length(block.has('I') ? 'I' : 'J');
+  wish.lines = block.has('J') ? ScanLines::along_first : ScanLines::along_second;
+  if (wish.step_mm > 2.0 * wish.radius_mm) {
+    refuse(block, code, "its lines are farther apart than the tool is wide, material would stay",
+           "take at most the diameter of the tool for I or J");
+    return;
+  }
+  auto plan = plan_pocket(wish);
+  if (!plan) {
+    const PocketFault& fault = plan.error();
+    refuse(block, code,
+           fault.message + (fault.line == 0 ? "" : ", see line " + std::to_string(fault.line)),
+           fault.help);
+    return;
+  }
+  // Around the walls the tool has the pocket on the side that the block says.
+  if (!left) turn_about(plan->finish);
+  mill(block, code, *axes, *levels, *plan, start);
 }
 
 }  // namespace stanok::lang

@@ -7,13 +7,13 @@
 // the contour itself, shifted by less from pass to pass. On mill channels G70 and G71 are inch and
 // millimetre, G73 drills.
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "lang/actions/block_execution.h"
 #include "lang/actions/cycle_moves.h"
 #include "lang/block/other_controls.h"
-#include "lang/block/turned_contour.h"
-#include "lang/corners/corner_stage.h"
 
 namespace stanok::lang {
 namespace {
@@ -21,10 +21,6 @@ namespace {
 // Passes that one block may make; all of them are held at once.
 constexpr double levels_max = 10000.0;
 constexpr int passes_max = 9999;
-
-void fail_contour(ActiveBlock& block, CodeNumber code, const std::string& why) {
-  block.fail("E4068", {'G', code, {}}, "the contour cannot be used: " + why, "");
-}
 
 // Words that the code does not have on this channel, or not in this form.
 void refuse_words(ActiveBlock& block, std::string_view refused) {
@@ -62,78 +58,8 @@ std::optional<Contour> find_contour(ActiveBlock& block, CodeNumber code) {
   return std::nullopt;
 }
 
-// Takes the moves out of the commands of a contour block.
-void collect_moves(ActiveBlock& block, CodeNumber code, CommandQueue& queue,
-                   std::vector<PlaneMove>& moves) {
-  const AxisIndex x = block.channel_words.geometry_axis(0);
-  const AxisIndex z = block.channel_words.geometry_axis(2);
-  Command command;
-  while (!queue.empty()) {
-    queue.take(command);
-    const Move* const move = move_of(command.payload);
-    if (move == nullptr) continue;
-    const bool arc = move->kind == MoveKind::arc;
-    if (!std::holds_alternative<Move>(command.payload) || move->machine_coordinates ||
-        (arc && (move->plane != Plane::zx || move->turns != 1))) {
-      fail_contour(block, code,
-                   "only G0, G1 and arcs in ZX may be in it, see line " +
-                       std::to_string(command.origin.line));
-      return;
-    }
-    PlaneMove next{
-        {move->end[x], move->end[z]}, arc, {}, move->counter_clockwise, command.origin.line,
-        move->kind == MoveKind::rapid};
-    if (arc) next.centre = {move->centre[1], move->centre[0]};
-    moves.push_back(next);
-  }
-}
-
-void cut_corners(ActiveBlock& block, CodeNumber code, CommandQueue& queue, CornerStage& corners) {
-  Command command;
-  while (!queue.empty() && !block.failed()) {
-    queue.take(command);
-    const auto fault = corners.take(command);
-    if (!fault) continue;
-    fail_contour(block, code,
-                 "line " + std::to_string(fault->origin.line) + ": " + fault->fault.message);
-  }
-}
-
-// The moves of a contour, executed for themselves: the program's own state stays as it is.
 std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Contour& contour) {
-  ModalState modal = block.modal;
-  modal.compensation = {};
-  modal.set(Group::radius_compensation, g(40), block.line);
-  CommandQueue queue;
-  CornerStage corners(block.channel_words);
-  std::vector<PlaneMove> moves;
-  for (const Contour::Block& one : contour.blocks) {
-    const BlockSurroundings around{modal, block.channel_words, block.channel, block.tables,
-                                   queue, block.probe,         block.states,  nullptr};
-    queue.set_origin(one.origin, 0);
-    const AxisValues start_W = modal.position_W;
-    ActiveBlock inner(one.words, around, one.origin.line);
-    execute_block(inner);
-    modal.compensation = {};
-    modal.set(Group::radius_compensation, g(40), block.line);
-    if (inner.awaits_position) {
-      fail_contour(block, code,
-                   "TCP (RTCP) is switched in line " + std::to_string(one.origin.line));
-    } else if (inner.faults.first) {
-      fail_contour(block, code,
-                   "line " + std::to_string(one.origin.line) + ": " + inner.faults.first->message);
-    } else {
-      corners.select(inner.end.corner, modal.plane(), start_W);
-      cut_corners(block, code, queue, corners);
-      collect_moves(block, code, corners.ready(), moves);
-    }
-    if (block.failed()) return {};
-  }
-  if (corners.awaits_end())
-    fail_contour(block, code, "the last line is given by its angle and has no end");
-  corners.finish();
-  collect_moves(block, code, corners.ready(), moves);
-  return moves;
+  return plane_moves(block, code, commands_of(block, contour, block.modal));
 }
 
 void take_settings(ActiveBlock& block, CodeNumber code) {
@@ -165,84 +91,6 @@ bool take_depth_of_line(ActiveBlock& block, CodeNumber code) {
   block.fail("E4008", {'D', -1, {}}, "`D`, the depth of cut, must be positive", "");
   return false;
 }
-
-class Roughing {
- public:
-  Roughing(CycleMoves& moves, const TurnedContour& contour, const RoughingSettings& settings)
-      : moves_(moves),
-        contour_(contour),
-        settings_(settings),
-        clear_(std::min(contour.shallowest(), 0.0)) {}
-
-  void cut_levels() {
-    along_ = std::min(contour_.first_point().along, 0.0);
-    rapid({0.0, along_});
-    const double deepest = contour_.deepest();
-    double above = 0.0;
-    // A rest that rounding leaves is no level.
-    for (int n = 1; n * settings_.depth < deepest - 1e-9; ++n) {
-      const double depth = n * settings_.depth;
-      for (const TurnedStretch& stretch : contour_.stretches(depth)) cut(stretch, depth, above);
-      above = depth;
-    }
-  }
-
-  // Along the contour and back to the start point.
-  void follow(const std::vector<PlaneMove>& moves, TurningPoint allowance) {
-    const TurnedPoint first = contour_.first_point();
-    rapid({lifted_, along_});
-    rapid({first.depth, along_});
-    feed(first);
-    for (std::size_t k = 1; k < moves.size(); ++k) {
-      const TurningPoint end{moves[k].end.x + allowance.x, moves[k].end.z + allowance.z};
-      if (moves[k].arc) {
-        const TurningPoint& centre = moves[k].centre;
-        moves_.arc(
-            {end, {centre.x + allowance.x, centre.z + allowance.z}, moves[k].counter_clockwise});
-      } else {
-        moves_.feed(end);
-      }
-    }
-    const TurningPoint end = moves.back().end;
-    along_ = contour_.turned({end.x + allowance.x, end.z + allowance.z}).along;
-    rapid({clear_, along_});
-    rapid({clear_, 0.0});
-    rapid({0.0, 0.0});
-  }
-
- private:
-  void cut(const TurnedStretch& stretch, double depth, double above) {
-    const double begin = std::min(contour_.first_point().along, 0.0);
-    const double lifted = std::max(depth - settings_.retract, 0.0);
-    if (stretch.from_start) {
-      rapid({lifted_, along_});
-      rapid({depth, stretch.begin});
-    } else {
-      // Behind a shoulder: over it, and down where the level above is cut already.
-      rapid({clear_, along_});
-      rapid({clear_, stretch.begin});
-      rapid({above, stretch.begin});
-      feed({depth, stretch.begin});
-    }
-    feed({depth, stretch.end});
-    const double back = std::min(settings_.retract, stretch.end - stretch.begin);
-    feed({lifted, stretch.end - back});
-    lifted_ = stretch.from_start ? lifted : clear_;
-    rapid({lifted_, stretch.end - back});
-    rapid({lifted_, begin});
-    along_ = begin;
-  }
-
-  void rapid(TurnedPoint p) { moves_.rapid(contour_.point(p)); }
-  void feed(TurnedPoint p) { moves_.feed(contour_.point(p)); }
-
-  CycleMoves& moves_;
-  const TurnedContour& contour_;
-  const RoughingSettings& settings_;
-  double clear_;         // a level on which nothing is in the way
-  double lifted_ = 0.0;  // where the tool stands
-  double along_ = 0.0;
-};
 
 // The allowance of a contour: U a diameter in diameter mode, W.
 TurningPoint allowance_of(const ActiveBlock& block) {

@@ -7,6 +7,7 @@
 #include "lang/actions/actions.h"
 #include "lang/block/block_check.h"
 #include "lang/block/other_controls.h"
+#include "lang/corners/corner_stage.h"
 #include "lang/corners/corner_value.h"
 #include "lang/corners/corner_words.h"
 #include "lang/corners/line_angle.h"
@@ -347,6 +348,66 @@ bool execute_simple_move(ActiveBlock& block, Move& move) {
   advance_position(block, move);
   if (block.modal.code(Group::motion) != motion) block.set_modal(Group::motion, motion);
   return true;
+}
+
+namespace {
+
+void forget_compensation(ModalState& modal, std::uint32_t line) {
+  modal.compensation = {};
+  modal.set(Group::radius_compensation, g(40), line);
+}
+
+std::string in_line(std::uint32_t line, const std::string& why) {
+  return "line " + std::to_string(line) + ": " + why;
+}
+
+void take_all(CommandQueue& queue, ContourCommands& made) {
+  Command command;
+  while (!queue.empty()) {
+    queue.take(command);
+    made.commands.push_back(command);
+  }
+}
+
+void cut_corners(CommandQueue& queue, CornerStage& corners, ContourCommands& made) {
+  Command command;
+  while (!queue.empty() && made.problem.empty()) {
+    queue.take(command);
+    const auto fault = corners.take(command);
+    if (fault) made.problem = in_line(fault->origin.line, fault->fault.message);
+  }
+}
+
+}  // namespace
+
+ContourCommands commands_of(ActiveBlock& block, const Contour& contour, ModalState modal) {
+  forget_compensation(modal, block.line);
+  CommandQueue queue;
+  CornerStage corners(block.channel_words);
+  ContourCommands made;
+  for (const Contour::Block& one : contour.blocks) {
+    const BlockSurroundings around{modal, block.channel_words, block.channel, block.tables,
+                                   queue, block.probe,         block.states,  nullptr};
+    queue.set_origin(one.origin, 0);
+    const AxisValues start_W = modal.position_W;
+    ActiveBlock inner(one.words, around, one.origin.line);
+    execute_block(inner);
+    forget_compensation(modal, block.line);
+    if (inner.awaits_position) {
+      made.problem = "TCP (RTCP) is switched in line " + std::to_string(one.origin.line);
+    } else if (inner.faults.first) {
+      made.problem = in_line(one.origin.line, inner.faults.first->message);
+    } else {
+      corners.select(inner.end.corner, modal.plane(), start_W);
+      cut_corners(queue, corners, made);
+      take_all(corners.ready(), made);
+    }
+    if (!made.problem.empty()) return made;
+  }
+  if (corners.awaits_end()) made.problem = "the last line is given by its angle and has no end";
+  corners.finish();
+  take_all(corners.ready(), made);
+  return made;
 }
 
 }  // namespace stanok::lang

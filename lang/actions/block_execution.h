@@ -2,6 +2,9 @@
 // fixed order.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "lang/block/active_block.h"
 #include "lang/contract/command.h"
 
@@ -16,5 +19,15 @@ void execute_block(ActiveBlock& block);
 // axis words and F. False, with the modal state as it was, when the block is not of this kind or
 // has a fault; execute_block then does or explains it.
 [[nodiscard]] bool execute_simple_move(ActiveBlock& block, Move& move);
+
+// The blocks of a contour that a cycle refers to, as the commands that they give: executed for
+// themselves, with corners cut, from `modal` on, without radius compensation; the
+// program's own state stays as it is. On failure `problem` says why.
+struct ContourCommands {
+  std::vector<Command> commands;
+  std::string problem;
+};
+[[nodiscard]] ContourCommands commands_of(ActiveBlock& block, const Contour& contour,
+                                          ModalState modal);
 
 }  // namespace stanok::lang

@@ -86,4 +86,103 @@ void CycleMoves::thread(TurningPoint end, double lead_mm, int spindle, double st
   block_.queue.emit(move);
 }
 
+void fail_contour(ActiveBlock& block, CodeNumber code, const std::string& why) {
+  block.fail("E4068", {'G', code, {}}, "the contour cannot be used: " + why, "");
+}
+
+std::vector<PlaneMove> plane_moves(ActiveBlock& block, CodeNumber code,
+                                   const ContourCommands& made) {
+  const AxisIndex x = block.channel_words.geometry_axis(0);
+  const AxisIndex z = block.channel_words.geometry_axis(2);
+  std::vector<PlaneMove> moves;
+  for (const Command& command : made.commands) {
+    const Move* const move = move_of(command.payload);
+    if (move == nullptr) continue;
+    const bool arc = move->kind == MoveKind::arc;
+    if (!std::holds_alternative<Move>(command.payload) || move->machine_coordinates ||
+        (arc && (move->plane != Plane::zx || move->turns != 1))) {
+      fail_contour(block, code,
+                   "only G0, G1 and arcs in ZX may be in it, see line " +
+                       std::to_string(command.origin.line));
+      return {};
+    }
+    PlaneMove next{
+        {move->end[x], move->end[z]}, arc, {}, move->counter_clockwise, command.origin.line,
+        move->kind == MoveKind::rapid};
+    if (arc) next.centre = {move->centre[1], move->centre[0]};
+    moves.push_back(next);
+  }
+  if (made.problem.empty()) return moves;
+  fail_contour(block, code, made.problem);
+  return {};
+}
+
+Roughing::Roughing(CycleMoves& moves, const TurnedContour& contour,
+                   const RoughingSettings& settings)
+    : moves_(moves),
+      contour_(contour),
+      settings_(settings),
+      clear_(std::min(contour.shallowest(), 0.0)) {}
+
+void Roughing::cut_levels(PassChoice choice) {
+  along_ = std::min(contour_.first_point().along, 0.0);
+  rapid({0.0, along_});
+  const double deepest = contour_.deepest();
+  double above = 0.0;
+  // A rest that rounding leaves is no level.
+  for (int n = 1; n * settings_.depth < deepest - 1e-9; ++n) {
+    const double depth = n * settings_.depth;
+    for (const TurnedStretch& stretch : contour_.stretches(depth)) {
+      if (choice == PassChoice::all || !stretch.from_start) cut(stretch, depth, above);
+    }
+    above = depth;
+  }
+}
+
+void Roughing::follow(const std::vector<PlaneMove>& moves, TurningPoint allowance,
+                      EndOfRoughing end_of_cycle) {
+  const TurnedPoint first = contour_.first_point();
+  rapid({lifted_, along_});
+  rapid({first.depth, along_});
+  feed(first);
+  for (std::size_t k = 1; k < moves.size(); ++k) {
+    const TurningPoint end{moves[k].end.x + allowance.x, moves[k].end.z + allowance.z};
+    if (moves[k].arc) {
+      const TurningPoint& centre = moves[k].centre;
+      moves_.arc(
+          {end, {centre.x + allowance.x, centre.z + allowance.z}, moves[k].counter_clockwise});
+    } else {
+      moves_.feed(end);
+    }
+  }
+  const TurningPoint end = moves.back().end;
+  along_ = contour_.turned({end.x + allowance.x, end.z + allowance.z}).along;
+  if (end_of_cycle == EndOfRoughing::over_its_end) return feed({clear_, along_});
+  rapid({clear_, along_});
+  rapid({clear_, 0.0});
+  rapid({0.0, 0.0});
+}
+
+void Roughing::cut(const TurnedStretch& stretch, double depth, double above) {
+  const double begin = std::min(contour_.first_point().along, 0.0);
+  const double lifted = std::max(depth - settings_.retract, 0.0);
+  if (stretch.from_start) {
+    rapid({lifted_, along_});
+    rapid({depth, stretch.begin});
+  } else {
+    // Behind a shoulder: over it, and down where the level above is cut already.
+    rapid({clear_, along_});
+    rapid({clear_, stretch.begin});
+    rapid({above, stretch.begin});
+    feed({depth, stretch.begin});
+  }
+  feed({depth, stretch.end});
+  const double back = std::min(settings_.retract, stretch.end - stretch.begin);
+  feed({lifted, stretch.end - back});
+  lifted_ = stretch.from_start ? lifted : clear_;
+  rapid({lifted_, stretch.end - back});
+  rapid({lifted_, begin});
+  along_ = begin;
+}
+
 }  // namespace stanok::lang

@@ -3,9 +3,13 @@
 // W, radii, mm. A move to where the tool already stands is left out.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "lang/actions/actions.h"
+#include "lang/actions/block_execution.h"
 #include "lang/block/turned_contour.h"
 
 namespace stanok::lang {
@@ -44,6 +48,43 @@ class CycleMoves {
   ActiveBlock& block_;
   AxisIndex x_;
   AxisIndex z_;
+};
+
+void fail_contour(ActiveBlock& block, CodeNumber code, const std::string& why);
+
+// The moves of a contour; G0, G1 and arcs in ZX may be in it, else the block fails.
+[[nodiscard]] std::vector<PlaneMove> plane_moves(ActiveBlock& block, CodeNumber code,
+                                                 const ContourCommands& made);
+
+// Which passes are cut.
+enum class PassChoice : std::uint8_t { all, pockets };
+// Where the tool stands behind the pass along the contour.
+enum class EndOfRoughing : std::uint8_t { start_point, over_its_end };
+
+// Passes of a roughing cycle, from the start point to a contour and along it. Every pass is left at
+// 45 degrees by the retract; into a pocket behind a shoulder the tool goes down where the level
+// above is cut.
+class Roughing {
+ public:
+  // All outlive it.
+  Roughing(CycleMoves& moves, const TurnedContour& contour, const RoughingSettings& settings);
+
+  void cut_levels(PassChoice choice = PassChoice::all);
+  // Along the contour, of which `moves` are those behind the allowance.
+  void follow(const std::vector<PlaneMove>& moves, TurningPoint allowance,
+              EndOfRoughing end = EndOfRoughing::start_point);
+
+ private:
+  void cut(const TurnedStretch& stretch, double depth, double above);
+  void rapid(TurnedPoint p) { moves_.rapid(contour_.point(p)); }
+  void feed(TurnedPoint p) { moves_.feed(contour_.point(p)); }
+
+  CycleMoves& moves_;
+  const TurnedContour& contour_;
+  const RoughingSettings& settings_;
+  double clear_;         // a level on which nothing is in the way
+  double lifted_ = 0.0;  // where the tool stands
+  double along_ = 0.0;
 };
 
 }  // namespace stanok::lang

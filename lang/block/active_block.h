@@ -44,7 +44,7 @@ struct BlockFlow {
   int block = -1;      // N to go to, behind a return; -1: on behind the call
 };
 
-// Blocks N first to N last of the current text, for cycles that refer to a contour.
+// Blocks of a text that a cycle refers to.
 struct Contour {
   struct Block {
     BlockWords words;
@@ -57,7 +57,12 @@ struct Contour {
 class ContourSource {
  public:
   virtual ~ContourSource() = default;
+  // N `first` to N `last` of the current text.
   [[nodiscard]] virtual Contour contour(int first, int last) = 0;
+  // From N `number` of the current text, or else of the program of that number, up to M99.
+  [[nodiscard]] virtual Contour subprogram(int number) = 0;
+  // Of O `number` sub of the current text or an included one.
+  [[nodiscard]] virtual Contour o_subprogram(int number) = 0;
 };
 
 // What lies around a block: its channel, and where its effects go.

@@ -34,7 +34,7 @@ void for_each_body(const Statement& statement, Visit visit) {
   if (const auto* subprogram = std::get_if<OSubprogram>(&statement.kind)) visit(subprogram->body);
 }
 
-// The program that M98, M198 or G65 of a block names by a plain number.
+// The program that M98, M198, G65 or G150 of a block names by a plain number.
 struct NamedProgram {
   int number = 0;
   SearchedTexts texts = SearchedTexts::all;
@@ -46,7 +46,8 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
     const bool call = word.name.letter == 'M' && word.name.code == m(98);
     const bool file_call = word.name.letter == 'M' && word.name.code == m(198);
     const bool macro =
-        word.name.letter == 'G' && calls_macro(static_cast<CodeNumber>(word.name.code));
+        word.name.letter == 'G' &&
+        (calls_macro(static_cast<CodeNumber>(word.name.code)) || word.name.code == g(150));
     if (call || file_call || macro)
       program = NamedProgram{0, file_call ? SearchedTexts::files_only : SearchedTexts::all};
     if (word.name.letter == 'P' && word.value.node == Node::number) number = &word;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lang/run/call_targets.h"
 #include "lang/text/block_number.h"
 #include "lang/text/number.h"
 #include "lang/tree/plain_block.h"
@@ -18,6 +19,26 @@ bool is_called_from(const Vm& vm, const std::vector<std::uint32_t>& calls) {
     if (vm.program().files[caller.file]->spans[caller.position - 1].line != calls[i]) return false;
   }
   return true;
+}
+
+// The beginning of the first line that is so; nullptr: none is.
+template <class IsWanted>
+const char* line_that(const Source& source, IsWanted is_wanted) {
+  const char* const end = source.text().data() + source.end();
+  for (const char* at = source.text().data() + source.begin(); at != end;
+       at = behind_line(at, end)) {
+    if (is_wanted(source.line_at(source.offset_of(at)))) return at;
+  }
+  return nullptr;
+}
+
+// What stands behind O or : at the beginning of a line.
+std::optional<int> program_number(std::string_view line) {
+  std::size_t at = 0;
+  while (at < line.size() && is_blank(line[at])) ++at;
+  if (at == line.size() || (upper_case(line[at]) != 'O' && line[at] != ':')) return std::nullopt;
+  std::string number = "N" + std::string(line.substr(at + 1));
+  return block_number(number);
 }
 
 }  // namespace
@@ -40,11 +61,7 @@ Contour TextPlaces::contour(int first, int last) {
     inside = inside || number == first;
     const char* next = at;
     BlockWords words;
-    const bool plain = inside &&
-                       read_plain_line(next, end, {Surroundings::file_level, source.rules()}, words,
-                                       text_values_) &&
-                       text_values_.settings().empty() &&
-                       (words.letters & state_.channel_words.dialect().alias_letters()) == 0;
+    const bool plain = inside && read_line(source, next, words);
     if (inside && !plain) {
       contour.problem = "line " + std::to_string(line) + " of the contour is no plain block";
       return contour;
@@ -55,6 +72,73 @@ Contour TextPlaces::contour(int first, int last) {
   }
   contour.problem = inside ? "the contour has no end N" + std::to_string(last)
                            : "the program has no block N" + std::to_string(first);
+  return contour;
+}
+
+bool TextPlaces::read_line(const Source& source, const char*& at, BlockWords& words) {
+  const char* const end = source.text().data() + source.end();
+  return read_plain_line(at, end, {Surroundings::file_level, source.rules()}, words,
+                         text_values_) &&
+         text_values_.settings().empty() &&
+         (words.letters & state_.channel_words.dialect().alias_letters()) == 0;
+}
+
+// A block number of this text comes first, as controls of Haas search.
+Contour TextPlaces::subprogram(int number) {
+  const std::uint16_t current = vm_.frame().file;
+  if (const char* const at = line_that(
+          vm_.file().source, [&](std::string_view line) { return block_number(line) == number; }))
+    return blocks_up_to_return(current, at);
+  const auto found =
+      find_numbered_program(vm_.program(), current, number, SearchedTexts::all).place;
+  if (!found) {
+    Contour contour;
+    contour.problem =
+        "there is no subprogram N" + std::to_string(number) + " or O" + std::to_string(number);
+    return contour;
+  }
+  const Source& source = vm_.program().files[found->file]->source;
+  const char* at =
+      line_that(source, [&](std::string_view line) { return program_number(line) == number; });
+  at = at != nullptr ? behind_line(at, source.text().data() + source.end())
+                     : source.text().data() + source.begin();
+  return blocks_up_to_return(found->file, at);
+}
+
+Contour TextPlaces::o_subprogram(int number) {
+  const std::uint16_t current = vm_.frame().file;
+  std::vector<std::uint16_t> files{current};
+  const auto& includes = vm_.file().includes;
+  files.insert(files.end(), includes.begin(), includes.end());
+  for (const std::uint16_t file : files) {
+    const Source& source = vm_.program().files[file]->source;
+    const char* const at = line_that(source, [&](std::string_view line) {
+      return program_number(line) == number && folded(line).find("sub") != std::string::npos;
+    });
+    if (at == nullptr) continue;
+    return blocks_up_to_return(file, behind_line(at, source.text().data() + source.end()), number);
+  }
+  Contour contour;
+  contour.problem = "there is no `O" + std::to_string(number) + " sub` in this text";
+  return contour;
+}
+
+Contour TextPlaces::blocks_up_to_return(std::uint16_t file, const char* at,
+                                        std::optional<int> o_number) {
+  const Source& source = vm_.program().files[file]->source;
+  const char* const end = source.text().data() + source.end();
+  Contour contour;
+  for (std::uint32_t line = source.line_number(source.offset_of(at)); at != end; ++line) {
+    BlockWords words;
+    const std::string_view text = source.line_at(source.offset_of(at));
+    if (o_number && program_number(text) == o_number) return contour;
+    if (!read_line(source, at, words)) {
+      contour.problem = "its line " + std::to_string(line) + " is no plain block";
+      return contour;
+    }
+    if (words.m.has(m(99)) || words.m.has(m(30))) return contour;
+    if (!words.empty()) contour.blocks.push_back({words, {file, line}});
+  }
   return contour;
 }
 

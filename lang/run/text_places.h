@@ -24,6 +24,8 @@ class TextPlaces final : public ContourSource {
 
   // The first N `first` of the file and all that follows up to N `last`.
   [[nodiscard]] Contour contour(int first, int last) override;
+  [[nodiscard]] Contour subprogram(int number) override;
+  [[nodiscard]] Contour o_subprogram(int number) override;
 
   void go_behind_line(std::uint32_t line);
   // GOTO, and M99 P behind the call: to block N `number` of the current text.
@@ -48,6 +50,11 @@ class TextPlaces final : public ContourSource {
     PlainCursor plain;
     AxisValues start_W{};
   };
+  // Reads the plain line at `at`, which then is behind it; false: it is none.
+  bool read_line(const Source& source, const char*& at, BlockWords& words);
+  // The blocks from a place of a file up to M99, or the O-line of a number that ends them.
+  [[nodiscard]] Contour blocks_up_to_return(std::uint16_t file, const char* at,
+                                            std::optional<int> o_number = std::nullopt);
   [[nodiscard]] std::optional<PlainPlace> plain_place(std::uint32_t line) const;
   void go_to(const PlainPlace& place);
 

@@ -213,6 +213,7 @@ constexpr auto code_rows = std::to_array<Code>({
     g(1000, mirror, P::settings, axes, "", not_master, cancel_mirror, "mirror off, as G50.1"),
     g(1010, mirror, P::settings, needs_axes, "", not_master, mirror_axes, "mirror, as G51.1"),
     g(1030, none, P::path_mode, no_axes, "P", everywhere, only_modal, "look-ahead limit"),
+    g(1500, none, P::motion, axes, "IJKPQR", mill_only, mill_contour_pocket, "pocket with islands"),
     g(1540, work_offset, P::work_offset, no_axes, "P", not_master, select_work_offset,
       "work offset of the extended table"),
     g(1840, motion, P::motion, axes, "RPKL", lathe_only, drill_hole,
@@ -305,7 +306,9 @@ const Code* find_code(char letter, CodeNumber number) {
 
 bool changes_program_flow(const Code& code) {
   const bool macro_call = code.letter == 'G' && (calls_macro(code.number) || code.number == g(67));
-  return macro_call || code.group == Group::subprogram || code.action == CodeAction::end_program;
+  const bool follows_subprogram = code.action == CodeAction::mill_contour_pocket;
+  return follows_subprogram || macro_call || code.group == Group::subprogram ||
+         code.action == CodeAction::end_program;
 }
 
 }  // namespace stanok::lang

@@ -1,0 +1,13 @@
+G0 X8 Y5 Z5
+; expect: rapid X8 Y5 Z5
+G150 P21 Z-2 R1 Q2 J1.2 G41 D1 F100
+; expect error 3:1 E4069
+M30
+O20
+G1 Y0
+X20
+Y10
+X0
+Y0
+X8
+M99
