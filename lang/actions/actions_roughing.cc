@@ -6,7 +6,17 @@
 // two levels lies the depth of cut. Every pass is left at 45 degrees by the retract. G73 follows
 // the contour itself, shifted by less from pass to pass. On mill channels G70 and G71 are inch and
 // millimetre, G73 drills.
+//
+// The lathe cycles of LinuxCNC follow a profile in an O-subprogram: G71, G71.1,
+// G71.2 rough it along Z, G72, G72.1, G72.2 along X, G70 finishes it.
+//
+// Q is the number of the subprogram, X Z the start point, D what stays on the profile, measured
+// across it, I the depth of a cut, R the retract; the codes with .1 leave out pockets, those with
+// .2 cut these alone. G70 follows the profile P times, first D, at last E from it: pass n at (n -
+// 1) (D - E) / P + E, n from P to 1. The tool ends over the end of the profile, in G70 on it.
+// Source: LinuxCNC, G-Codes, "G70 Lathe finishing cycle", "G71 G72 Lathe roughing cycles".
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +24,7 @@
 #include "lang/actions/block_execution.h"
 #include "lang/actions/cycle_moves.h"
 #include "lang/block/other_controls.h"
+#include "lang/block/radius_compensation.h"
 
 namespace stanok::lang {
 namespace {
@@ -212,6 +223,154 @@ void repeat_contour(ActiveBlock& block, CodeNumber code) {
   if (!block.failed()) pass_contour(block, *contour);
 }
 
+constexpr double profile_levels_max = 10000.0;
+constexpr int finishing_passes_max = 1000;
+constexpr double usual_increment = 1.0;  // in units of the program, as the manual has them
+constexpr double usual_retract = 0.5;
+
+// What there is to cut lies on this side of the profile.
+struct ProfileSide {
+  PassAxis along = PassAxis::z;
+  double towards = 1.0;  // from the profile to the tool, along the other axis
+};
+
+double across(TurningPoint p, PassAxis along) {
+  return along == PassAxis::z ? p.x : p.z;
+}
+
+struct Reach {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+Reach reach_across(const std::vector<PlaneMove>& profile, PassAxis along) {
+  Reach reach{across(profile.front().end, along), across(profile.front().end, along)};
+  for (const PlaneMove& move : profile) {
+    reach.low = std::min(reach.low, across(move.end, along));
+    reach.high = std::max(reach.high, across(move.end, along));
+  }
+  return reach;
+}
+
+// Where the tool stands beyond all of the profile; nothing: nowhere.
+std::optional<ProfileSide> side_of(const std::vector<PlaneMove>& profile, TurningPoint tool,
+                                   PassAxis along) {
+  const Reach reach = reach_across(profile, along);
+  if (across(tool, along) >= reach.high - same_point) return ProfileSide{along, 1.0};
+  if (across(tool, along) <= reach.low + same_point) return ProfileSide{along, -1.0};
+  return std::nullopt;
+}
+
+// Left of the profile, seen in its direction in the plane of Z and X.
+bool is_left(const std::vector<PlaneMove>& profile, const ProfileSide& side) {
+  const TurningPoint first = profile.front().end;
+  const TurningPoint last = profile.back().end;
+  const double ahead = side.along == PassAxis::z ? last.z - first.z : first.x - last.x;
+  return ahead * side.towards > 0.0;
+}
+
+class Profile {
+ public:
+  Profile(ActiveBlock& block, CodeNumber code) : block_(block), code_(code) {}
+
+  // False, with the block failed, where the subprogram is no profile.
+  bool read() {
+    if (!block_.has('Q')) {
+      block_.fail("E4007", {'G', code_, {}},
+                  "`" + code_text('G', code_) + "` needs Q, the subprogram of the profile", "no Q");
+      return false;
+    }
+    const auto number = block_.integer('Q', 1, 99999999);
+    if (!number) return false;
+    if (block_.contours == nullptr) {
+      fail_contour(block_, code_, "a contour cannot hold a contour cycle");
+      return false;
+    }
+    const Contour contour = block_.contours->o_subprogram(*number);
+    if (!contour.problem.empty()) {
+      fail_contour(block_, code_, contour.problem);
+      return false;
+    }
+    made_ = commands_of(block_, contour, block_.modal);
+    moves_ = plane_moves(block_, code_, made_);
+    for (PlaneMove& move : moves_) move.rapid = false;
+    if (!block_.failed() && moves_.size() < 2)
+      fail_contour(block_, code_, "its first block leads to the profile, and another must follow");
+    return !block_.failed();
+  }
+
+  [[nodiscard]] const std::vector<PlaneMove>& moves() const { return moves_; }
+
+  // The parallel of the profile at a distance on the side where the tool is; empty, with the block
+  // failed, where there is none.
+  [[nodiscard]] std::vector<PlaneMove> at_distance(double distance_mm, const ProfileSide& side) {
+    if (distance_mm == 0.0) return moves_;
+    const bool left = is_left(moves_, side) == (distance_mm > 0.0);
+    CompensationStage stage(block_.channel_words);
+    StageResult fault = stage.select(
+        {.side = left ? RadiusCompensation::Side::left : RadiusCompensation::Side::right,
+         .plane = Plane::zx,
+         .orientation = 0,
+         .radius_mm = std::abs(distance_mm),
+         .arc_leads_in = false},
+        block_.modal.position_W);
+    ContourCommands parallel;
+    const auto take_ready = [&] {
+      Command command;
+      while (!stage.ready().empty()) {
+        stage.ready().take(command);
+        parallel.commands.push_back(command);
+      }
+    };
+    for (const Command& programmed : made_.commands) {
+      if (move_of(programmed.payload) == nullptr || fault) continue;
+      Command command = programmed;
+      fault = stage.take(command);
+      take_ready();
+    }
+    if (!fault) fault = stage.finish();
+    take_ready();
+    if (fault) {
+      fail_contour(block_, code_,
+                   "it has no parallel at that distance, see line " +
+                       std::to_string(fault->origin.line) + ": " + fault->fault.message);
+      return {};
+    }
+    std::vector<PlaneMove> moves = plane_moves(block_, code_, parallel);
+    for (PlaneMove& move : moves) move.rapid = false;
+    return moves;
+  }
+
+ private:
+  ActiveBlock& block_;
+  CodeNumber code_;
+  ContourCommands made_;
+  std::vector<PlaneMove> moves_;
+};
+
+double length_or(const ActiveBlock& block, char letter, double usual) {
+  return block.has(letter) ? block.length(letter) : usual * block.length_unit();
+}
+
+bool is_positive(ActiveBlock& block, char letter, double value) {
+  if (value > 0.0) return true;
+  block.fail("E4008", {letter, -1, {}}, std::string("`") + letter + "` must be above zero", "");
+  return false;
+}
+
+// To the start point that the block names.
+TurningPoint go_to_start(CycleMoves& moves) {
+  const TurningPoint start = moves.programmed_end();
+  moves.rapid(start);
+  return start;
+}
+
+void fail_start(ActiveBlock& block, CodeNumber code) {
+  fail_contour(
+      block, code,
+      "the tool stands beside the profile; give a start point X Z that is beyond all of it");
+}
+
 }  // namespace
 
 void drill_or_repeat(ActiveBlock& block, CodeNumber code) {
@@ -257,6 +416,77 @@ void finish_contour(ActiveBlock& block, CodeNumber code) {
   block.flow.kind = Flow::run_contour;
   block.flow.contour_line = contour->blocks.front().origin.line;
   block.flow.line = contour->blocks.back().origin.line;
+}
+
+void rough_profile(ActiveBlock& block, CodeNumber code) {
+  auto moves = CycleMoves::of(block, code);
+  if (!moves) return;
+  const bool turning = code < g(72);
+  const RoughingSettings settings{length_or(block, 'I', usual_increment),
+                                  length_or(block, 'R', usual_retract)};
+  if (!is_positive(block, 'I', settings.depth)) return;
+  if (block.has('R') && block.value('R') != 0.0 && !is_positive(block, 'R', settings.retract))
+    return;
+  Profile profile(block, code);
+  const TurningPoint start = go_to_start(*moves);
+  if (!profile.read()) return;
+  const PassAxis along = turning ? PassAxis::z : PassAxis::x;
+  const auto side = side_of(profile.moves(), start, along);
+  if (!side) return fail_start(block, code);
+  std::vector<PlaneMove> list =
+      profile.at_distance(block.has('D') ? block.length('D') : 0.0, *side);
+  if (block.failed()) return;
+  TurnedContour contour(list, start, {}, along);
+  const bool leaves_pockets = code == g(71, 1) || code == g(72, 1);
+  if (contour.problem().empty() && leaves_pockets) {
+    list = contour.without_pockets();
+    contour = TurnedContour(list, start, {}, along);
+  }
+  if (!contour.problem().empty()) {
+    return fail_contour(block, code,
+                        contour.problem() + ", see line " + std::to_string(contour.problem_line()));
+  }
+  if (contour.deepest() / settings.depth > profile_levels_max) {
+    block.fail("E4063", {'I', -1, {}}, "`I` makes too many passes", "too small");
+    return;
+  }
+  const bool pockets_alone = code == g(71, 2) || code == g(72, 2);
+  Roughing roughing(*moves, contour, settings);
+  roughing.cut_levels(pockets_alone ? PassChoice::pockets : PassChoice::all);
+  roughing.follow(list, {}, EndOfRoughing::over_its_end);
+}
+
+void finish_profile(ActiveBlock& block, CodeNumber code) {
+  auto moves = CycleMoves::of(block, code);
+  if (!moves) return;
+  const auto passes = block.has('P') ? block.integer('P', 1, finishing_passes_max) : 1;
+  if (!passes) return;
+  Profile profile(block, code);
+  const TurningPoint start = go_to_start(*moves);
+  if (!profile.read()) return;
+  auto side = side_of(profile.moves(), start, PassAxis::z);
+  if (!side) side = side_of(profile.moves(), start, PassAxis::x);
+  if (!side) return fail_start(block, code);
+  const double first = block.has('D') ? block.length('D') : 0.0;
+  const double last = block.has('E') ? block.length('E') : 0.0;
+  for (int pass = *passes; pass >= 1; --pass) {
+    const double distance = (pass - 1) * (first - last) / *passes + last;
+    const std::vector<PlaneMove> list = profile.at_distance(distance, *side);
+    if (block.failed()) return;
+    if (pass != *passes) moves->rapid(start);
+    // Beside the profile first, then to where it begins.
+    const TurningPoint begin = list.front().end;
+    const bool z_first = side->along == PassAxis::z;
+    moves->rapid(z_first ? TurningPoint{start.x, begin.z} : TurningPoint{begin.x, start.z});
+    moves->rapid(begin);
+    for (std::size_t k = 1; k < list.size(); ++k) {
+      if (list[k].arc) {
+        moves->arc({list[k].end, list[k].centre, list[k].counter_clockwise});
+      } else {
+        moves->feed(list[k].end);
+      }
+    }
+  }
 }
 
 }  // namespace stanok::lang

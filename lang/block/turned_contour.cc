@@ -97,17 +97,16 @@ void TurnedContour::add(const PlaneMove& move, TurningPoint start, TurningPoint 
       move.arc ? quarters(move, start) : std::vector<TurningPoint>{move.end};
   for (const TurningPoint& to : ends) {
     add_segment({turned(sum(from, allowance)), turned(sum(to, allowance)), move.arc,
-                 turned(sum(move.centre, allowance))},
-                move.line);
+                 turned(sum(move.centre, allowance)), move.counter_clockwise, move.line});
     from = to;
   }
 }
 
-void TurnedContour::add_segment(const TurnedSegment& segment, std::uint32_t line) {
+void TurnedContour::add_segment(const TurnedSegment& segment) {
   const double along = segment.end.along - segment.start.along;
   if (along < -same_point && problem_.empty()) {
     problem_ = along_z_ ? "it goes back along Z" : "it goes back along X";
-    problem_line_ = line;
+    problem_line_ = segment.line;
   }
   if (std::hypot(along, segment.end.depth - segment.start.depth) > same_point)
     segments_.push_back(segment);
@@ -145,6 +144,36 @@ std::vector<TurnedStretch> TurnedContour::stretches(double depth) const {
   }
   if (is_open) close(segments_.back().end.along);
   return list;
+}
+
+std::vector<PlaneMove> TurnedContour::without_pockets() const {
+  std::vector<PlaneMove> moves;
+  const auto straight_to = [&](TurnedPoint end, const TurnedSegment& of) {
+    TurnedSegment line = of;
+    line.arc = false;
+    moves.push_back(move_to(end, line));
+  };
+  straight_to(first_point(), segments_.front());
+  double level = first_point().depth;
+  bool in_pocket = false;
+  for (const TurnedSegment& segment : segments_) {
+    if (segment.end.depth > level + same_point) {
+      in_pocket = true;
+      continue;
+    }
+    if (in_pocket) {
+      straight_to({level, along_at(segment, level)}, segment);
+      in_pocket = false;
+    }
+    moves.push_back(move_to(segment.end, segment));
+    level = std::min(level, segment.end.depth);
+  }
+  if (in_pocket) straight_to({level, segments_.back().end.along}, segments_.back());
+  return moves;
+}
+
+PlaneMove TurnedContour::move_to(TurnedPoint end, const TurnedSegment& of) const {
+  return {point(end), of.arc, point(of.centre), of.counter_clockwise, of.line};
 }
 
 }  // namespace stanok::lang

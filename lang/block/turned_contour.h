@@ -36,6 +36,8 @@ struct TurnedSegment {
   TurnedPoint end;
   bool arc = false;
   TurnedPoint centre;
+  bool counter_clockwise = false;  // of the arc as programmed
+  std::uint32_t line = 0;
 };
 
 // A stretch of a pass on one level that stays off the contour.
@@ -64,10 +66,14 @@ class TurnedContour {
   [[nodiscard]] double deepest() const;
   [[nodiscard]] double shallowest() const;
   [[nodiscard]] std::vector<TurnedStretch> stretches(double depth) const;
+  // The contour without its pockets: where it goes deeper than it was, it stays on the level until
+  // it is no deeper any more. The first move leads to where it begins.
+  [[nodiscard]] std::vector<PlaneMove> without_pockets() const;
 
  private:
   void add(const PlaneMove& move, TurningPoint start, TurningPoint allowance);
-  void add_segment(const TurnedSegment& segment, std::uint32_t line);
+  void add_segment(const TurnedSegment& segment);
+  [[nodiscard]] PlaneMove move_to(TurnedPoint end, const TurnedSegment& of) const;
 
   TurningPoint start_;
   bool along_z_;

@@ -58,6 +58,33 @@ constexpr Code bolt_circle = pattern(g_code(70), "IJL", "holes on a circle");
 constexpr Code bolt_arc = pattern(g_code(71), "IJKL", "holes on an arc");
 constexpr Code bolt_line = pattern(g_code(72), "IJL", "holes on a line");
 
+// Cycles along a profile in an O-subprogram. Source: LinuxCNC, G-Codes.
+constexpr Code profile_cycle(CodeNumber number, std::string_view words, CodeAction action,
+                             std::string_view title) {
+  Code code = dialect_row(number, Group::none, EffectOrder::motion, words, action, title);
+  code.axes = AxisWords::optional;
+  code.availability = Availability::lathe_only;
+  return code;
+}
+constexpr auto profile_cycles = std::to_array<Code>(
+    {profile_cycle(g_code(70), "QDEP", CodeAction::finish_profile, "finishing of a profile"),
+     profile_cycle(g_code(71), "QDIR", CodeAction::rough_profile, "roughing of a profile"),
+     profile_cycle(g_code(71, 1), "QDIR", CodeAction::rough_profile,
+                   "roughing of a profile without pockets"),
+     profile_cycle(g_code(71, 2), "QDIR", CodeAction::rough_profile,
+                   "roughing of the pockets of a profile"),
+     profile_cycle(g_code(72), "QDIR", CodeAction::rough_profile, "facing of a profile"),
+     profile_cycle(g_code(72, 1), "QDIR", CodeAction::rough_profile,
+                   "facing of a profile without pockets"),
+     profile_cycle(g_code(72, 2), "QDIR", CodeAction::rough_profile,
+                   "facing of the pockets of a profile")});
+
+const Code* code_of_linuxcnc(CodeNumber number, const ChannelKind* kind) {
+  const auto* const found = std::ranges::find(profile_cycles, number, &Code::number);
+  const bool is_lathe = kind != nullptr && *kind == ChannelKind::lathe;
+  return is_lathe && found != profile_cycles.end() ? found : nullptr;
+}
+
 constexpr std::size_t offsets_of_haas = 20;
 constexpr auto offset_rows = [] {
   std::array<Code, offsets_of_haas> rows;
@@ -164,6 +191,7 @@ const Code* code_of_dialect(char letter, CodeNumber number, const BlockWords& wo
     if (number == g_code(5, 1) && switch_only)
       return rules.is_fanuc() ? &high_speed_with_level : &high_speed_by_q;
   }
+  if (letter == 'G' && rules.is_linuxcnc()) return code_of_linuxcnc(number, kind);
   if (!rules.is_fanuc()) return nullptr;
   if (const Code* const other = called_otherwise(letter, number, rules)) return other;
   if (letter != 'G') return nullptr;
