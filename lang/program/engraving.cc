@@ -1,10 +1,13 @@
 #include "lang/program/engraving.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "lang/contract/code_number.h"
 
@@ -13,6 +16,36 @@ namespace {
 
 constexpr std::string_view cycle_file = "mill/engrave.nc";
 constexpr std::string_view words_of_engraving = "XYIJRZFEP";
+
+// Of P.
+constexpr int literal_text = 0;
+constexpr int serial_number = 1;
+constexpr int first_character = 32;
+constexpr int last_character = 126;
+
+constexpr double serial_variable_number = 599;
+constexpr std::size_t serial_digits_max = 15;  // all whole numbers of so many are numbers
+
+// The text of a serial number.
+struct SerialText {
+  std::string before;
+  std::size_t digits = 0;
+  std::string behind;
+  std::optional<double> first_number;
+};
+
+// One row of # between other letters, or a number alone; nothing: neither.
+std::optional<SerialText> serial_text_of(const std::string& remark) {
+  const bool is_number = remark.find_first_not_of("0123456789") == std::string::npos;
+  if (is_number && remark.size() <= serial_digits_max)
+    return SerialText{"", remark.size(), "", std::strtod(remark.c_str(), nullptr)};
+  const std::size_t begin = remark.find('#');
+  if (begin == std::string::npos) return std::nullopt;
+  const std::size_t end = std::min(remark.find_first_not_of('#', begin), remark.size());
+  if (remark.find('#', end) != std::string::npos || end - begin > serial_digits_max)
+    return std::nullopt;
+  return SerialText{remark.substr(0, begin), end - begin, remark.substr(end), std::nullopt};
+}
 
 const IsoWord* find_word(const IsoBlock& block, char letter, int code = -1) {
   const auto found = std::ranges::find_if(block.words, [&](const IsoWord& word) {
@@ -71,24 +104,91 @@ class Engravings {
   void make_call(const IsoBlock& block, Statement& statement) {
     const IsoWord* const code = find_word(block, 'G', g(47));
     if (code == nullptr) return;
-    if (has_its_words(block, *code)) {
-      if (!first_) first_ = code->span;
-      statement.kind = CallStatement{call_of(block, code->span)};
-    } else {
+    if (!has_its_words(block, *code)) {
       statement.kind = Compound{};
+      return;
     }
+    if (!first_) first_ = code->span;
+    const int kind = kind_of(block).value_or(literal_text);
+    if (kind == serial_number) {
+      statement.kind = Compound{serial_number_of(block, statement.span, code->span)};
+      return;
+    }
+    const std::string text =
+        kind == literal_text ? block.remark : std::string(1, static_cast<char>(kind));
+    statement.kind =
+        CallStatement{call_of("engrave_block", {text_at(code->span, text)}, block, code->span)};
   }
 
-  static Expression call_of(const IsoBlock& block, const Span& span) {
+  // What P says; nothing: it is no number of the text.
+  static std::optional<int> kind_of(const IsoBlock& block) {
+    const IsoWord* const kind = find_word(block, 'P');
+    if (kind == nullptr) return literal_text;
+    const double value = kind->value.number;
+    const bool is_known =
+        kind->value.node == Node::number && (value == literal_text || value == serial_number ||
+                                             (value >= first_character && value <= last_character));
+    if (!is_known || value != std::floor(value)) return std::nullopt;
+    return static_cast<int>(value);
+  }
+
+  // #599 becomes the number of the text if that has one; the call; #599 becomes one more.
+  static StatementList serial_number_of(const IsoBlock& block, const Span& whole,
+                                        const Span& span) {
+    const SerialText text = *serial_text_of(block.remark);
+    StatementList list;
+    const auto add = [&](auto kind) {
+      Statement statement;
+      statement.span = whole;
+      statement.kind = std::move(kind);
+      list.push_back(std::move(statement));
+    };
+    if (text.first_number) add(setting_of(number_at(span, *text.first_number), span));
+    std::vector<Expression> arguments;
+    arguments.push_back(serial_variable(span));
+    arguments.push_back(number_at(span, static_cast<double>(text.digits)));
+    arguments.push_back(text_at(span, text.before));
+    arguments.push_back(text_at(span, text.behind));
+    add(CallStatement{call_of("engrave_number", std::move(arguments), block, span)});
+    Expression next;
+    next.node = Node::binary;
+    next.span = span;
+    next.operation = Operation::add;
+    next.children.push_back(serial_variable(span));
+    next.children.push_back(number_at(span, 1.0));
+    add(setting_of(std::move(next), span));
+    return list;
+  }
+
+  static IsoBlock setting_of(Expression value, const Span& span) {
+    IsoBlock block;
+    block.settings.push_back({serial_variable(span), std::move(value)});
+    return block;
+  }
+
+  static Expression serial_variable(const Span& span) {
+    Expression variable;
+    variable.node = Node::parameter;
+    variable.span = span;
+    variable.children.push_back(number_at(span, serial_variable_number));
+    return variable;
+  }
+
+  static Expression text_at(const Span& span, const std::string& value) {
     Expression text;
     text.node = Node::string;
     text.span = span;
-    text.text = block.remark;
+    text.text = value;
+    return text;
+  }
+
+  static Expression call_of(const char* function, std::vector<Expression> arguments,
+                            const IsoBlock& block, const Span& span) {
     Expression call;
     call.node = Node::call;
     call.span = span;
-    call.text = "engrave_block";
-    call.children.push_back(std::move(text));
+    call.text = function;
+    call.children = std::move(arguments);
     for (const char letter : std::string_view("XYIJRZFE")) {
       const IsoWord* const word = find_word(block, letter);
       const bool is_place = letter == 'X' || letter == 'Y' || letter == 'R';
@@ -118,17 +218,27 @@ class Engravings {
                       std::string("no ") + letter);
       return false;
     }
-    const IsoWord* const kind = find_word(block, 'P');
-    const bool text_of_block =
-        kind == nullptr || (kind->value.node == Node::number && kind->value.number == 0.0);
-    if (!text_of_block) {
-      reporter_.error("E2090", kind->span, "`G47` with a serial number or a letter as P", "not P0")
+    const auto kind = kind_of(block);
+    if (!kind) {
+      reporter_
+          .error("E4008", find_word(block, 'P')->span,
+                 "P of `G47` is 0 for a text, 1 for a serial number or 32 to 126 for a character",
+                 "another number")
           .help.emplace_back("engrave a number with `engrave (str (...), height, depth);`");
-    } else if (block.remark.empty()) {
+      return false;
+    }
+    if (*kind >= first_character) return true;
+    if (block.remark.empty()) {
       reporter_.error("E4007", code.span, "`G47` needs its text as a comment", "no text")
           .help.emplace_back("write e.g. `G47 P0 X0 Y0 J5. R2. Z-.2 F200. (TEXT)`");
+      return false;
     }
-    return text_of_block && !block.remark.empty();
+    if (*kind == literal_text || serial_text_of(block.remark)) return true;
+    reporter_
+        .error("E4008", code.span, "the text of `G47 P1` has no digits of a serial number",
+               "no # and no number")
+        .help.emplace_back("write a # for each digit of #599, `(S####)`, or its first number");
+    return false;
   }
 
   Reporter& reporter_;
@@ -137,19 +247,20 @@ class Engravings {
 
 }  // namespace
 
-void make_engravings(StatementList& tree, Reporter& reporter) {
+bool make_engravings(StatementList& tree, Reporter& reporter) {
   Engravings engravings(reporter);
   engravings.visit(tree);
-  if (!engravings.first()) return;
+  if (!engravings.first()) return false;
   const bool is_included = std::ranges::any_of(tree, [](const Statement& statement) {
     const auto* const include = std::get_if<IncludeDirective>(&statement.kind);
     return include != nullptr && include->file == cycle_file;
   });
-  if (is_included) return;
+  if (is_included) return false;
   Statement include;
   include.span = *engravings.first();
   include.kind = IncludeDirective{std::string(cycle_file), *engravings.first()};
   tree.insert(tree.begin(), std::move(include));
+  return true;
 }
 
 }  // namespace stanok::lang

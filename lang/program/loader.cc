@@ -193,7 +193,7 @@ void Loader::parse(FileIndex index) {
   };
   Parser parser(source, reporter, std::move(context));
   StatementList tree = parser.parse_program();
-  if (source.rules().is_haas()) make_engravings(tree, reporter);
+  if (source.rules().is_haas()) loaded_[index].includes_engraving = make_engravings(tree, reporter);
   loaded_[index].tree = std::move(tree);
   list_definitions(loaded_[index]);
   tell_foreign_control(index);

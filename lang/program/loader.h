@@ -40,6 +40,7 @@ class Loader {
     std::set<std::string> subprograms;  // that the tree defines, by label
     std::set<int> programs;             // likewise, by number
     Place included_at;                  // line 0: the program itself
+    bool includes_engraving = false;    // first in the tree, though nothing says so
   };
 
   // Index of the file that `from` calls `name`; reads and registers it. Nothing with `failure_` set

@@ -55,12 +55,13 @@ void Loader::include_loaded(const Program& loaded) {
 void Loader::check_line(std::string_view line) {
   Reporter& reporter = *loaded_[0].reporter;
   const StatementList& tree = loaded_[0].tree;
+  const std::size_t one = loaded_[0].includes_engraving ? 2 : 1;
   const Span whole{0, static_cast<std::uint32_t>(line.size()), 1};
   if (is_o_line(line)) {
     reporter.error("E2092", whole, "an O-line has no place in a single line", "write a program");
     return;
   }
-  if (line.find_first_of("\n\r") != std::string_view::npos || tree.size() > 1) {
+  if (line.find_first_of("\n\r") != std::string_view::npos || tree.size() > one) {
     reporter.error("E2091", whole, "this is more than one statement",
                    "one complete statement at a time");
     return;
@@ -70,7 +71,7 @@ void Loader::check_line(std::string_view line) {
       reporter.error("E2091", whole, "there is no statement here", "nothing to execute");
     return;
   }
-  const Statement& only = tree[0];
+  const Statement& only = tree.back();
   const bool defines = std::holds_alternative<FunctionDefinition>(only.kind);
   if (defines || std::holds_alternative<IncludeDirective>(only.kind)) {
     reporter.error(

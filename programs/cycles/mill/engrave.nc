@@ -119,3 +119,14 @@ void engrave_block (string text, num at_x, num at_y, num angle, num height, num 
   if ($prog_pos[Z] > retract) { G0 Z=retract }
   engrave (text, height, at_z, angle, feed, plunge > 0 ? plunge : feed);
 }
+
+// G47 P1 of Haas programs: a number of so many digits between two texts.
+void engrave_number (num number, num digits, string before, string behind, num at_x, num at_y, num angle,
+                     num height, num retract, num at_z, num feed, num plunge) {
+  string text = str (number, 0);
+  if (number < 0 || len (text) > digits) {
+    terminate (4403, "the serial number " + text + " has more digits than #");
+  }
+  while (len (text) < digits) { text = "0" + text; }
+  engrave_block (before + text + behind, at_x, at_y, angle, height, retract, at_z, feed, plunge);
+}

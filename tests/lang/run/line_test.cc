@@ -1,13 +1,18 @@
 // Single lines of an operator (MDI): what they may be, what they may call, what lasts between them.
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <sstream>
+
 #include "tests/lang/program_support.h"
+#include "tests/support/project_folders.h"
 
 namespace stanok::lang {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class LineTest : public testing::ProgramTest {
  protected:
@@ -54,6 +59,27 @@ TEST_F(LineTest, ABlockIsExecutedWithoutAnEndOfProgram) {
   EXPECT_EQ(end_x(), 10.0);
   EXPECT_EQ(all<ProgramEnd>().at(0).kind, ProgramEndKind::end_of_line);
   EXPECT_THAT(warnings, IsEmpty()) << "a line needs no M30";
+}
+
+// G47 of Haas is a call of a function in a file that the line includes by itself: L is 06 00 40 on
+// a grid of 4 by 6, the next letter begins 6 further on.
+TEST_F(LineTest, EngravesWithG47) {
+  channel.rules.dialect = Dialect::haas;
+  std::ifstream file(stanok::testing::source_folder() + "/programs/cycles/mill/engrave.nc");
+  std::stringstream text;
+  text << file.rdbuf();
+  files.texts["mill/engrave.nc"] = text.str();
+  enter("G47 P0 X0 Y0 J6. R5. Z-.2 F100. (L)");
+  EXPECT_EQ(error.code, "");
+  std::vector<std::array<double, 3>> cut;
+  for (const Move& move : all<Move>()) {
+    if (move.kind == MoveKind::line) cut.push_back({move.end[0], move.end[1], move.end[2]});
+  }
+  EXPECT_THAT(cut, ElementsAre(std::array{0.0, 6.0, -0.2}, std::array{0.0, 0.0, -0.2},
+                               std::array{4.0, 0.0, -0.2}));
+  EXPECT_EQ(end_x(), 6.0);
+  EXPECT_THAT(codes_of("G47 P0 J6. Z-.2 (L) ; G0 X1"), Not(IsEmpty()));
+  EXPECT_THAT(codes_of("#include \"mill/engrave.nc\""), ElementsAre("E2092"));
 }
 
 TEST_F(LineTest, ModalStateLastsFromLineToLine) {
