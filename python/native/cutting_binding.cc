@@ -18,6 +18,7 @@
 #include "config/files/grinding_file.h"
 #include "protocol/json_text.h"
 #include "python/native/bindings.h"
+#include "runtime/cutting/found_figures.h"
 
 namespace stanok::python {
 namespace {
@@ -45,7 +46,7 @@ Value fit_or_throw(Expected<Value, std::string> fit) {
 py::tuple identify_turning(const std::filesystem::path& file,
                            const std::vector<std::pair<double, double>>& stock, int channel,
                            int spindle, double coefficient_n) {
-  std::vector<client::StockStep> steps;
+  std::vector<runtime::StockStep> steps;
   for (const auto& [z_mm, radius_mm] : stock) {
     const bool falls = steps.empty() || z_mm < steps.back().z_mm;
     if (!falls || !(radius_mm > 0.0))
@@ -53,11 +54,11 @@ py::tuple identify_turning(const std::filesystem::path& file,
     steps.push_back({.z_mm = z_mm, .radius_mm = radius_mm});
   }
   if (steps.empty()) throw std::invalid_argument("stock names nothing");
-  client::CutLog log;
+  runtime::CutLog log;
   process::TurningFit fit;
   {
     const py::gil_scoped_release others_run;
-    log = client::read_cut_log(file, channel, spindle - 1, steps);
+    log = runtime::read_cut_log(file, {.channel = channel, .spindle = spindle - 1, .stock = steps});
     fit = fit_or_throw(process::fit_turning(log.record));
   }
   using process::CutRow;
@@ -84,16 +85,16 @@ py::tuple identify_grinding(const std::filesystem::path& file,
                             const std::filesystem::path& process_file, int channel, int spindle,
                             std::optional<double> touch_mm, double watts_per_newton) {
   const process::DesignRequest sheet = config::read_grinding_file(process_file);
-  const client::GrindLogRequest request{.channel = channel,
-                                        .spindle = spindle - 1,
-                                        .allowance_mm = sheet.allowance_mm,
-                                        .touch_mm = touch_mm,
-                                        .watts_per_newton = watts_per_newton};
-  client::GrindLog log;
+  const runtime::GrindLogRequest request{.channel = channel,
+                                         .spindle = spindle - 1,
+                                         .allowance_mm = sheet.allowance_mm,
+                                         .touch_mm = touch_mm,
+                                         .watts_per_newton = watts_per_newton};
+  runtime::GrindLog log;
   process::GrindingFit fit;
   {
     const py::gil_scoped_release others_run;
-    log = client::read_grind_log(file, request);
+    log = runtime::read_grind_log(file, request);
     fit = fit_or_throw(process::fit_grinding(log.record, sheet.process));
   }
   py::dict arrays;
@@ -103,30 +104,30 @@ py::tuple identify_grinding(const std::filesystem::path& file,
   arrays["fitted_w"] = array_of_values(fit.fitted_w);
   const client::GrindFitReport report{.log = log, .fit = fit};
   return py::make_tuple(py::str(protocol::json_text(client::to_json(report))), arrays,
-                        py::str(client::with_figures(text_of_file(process_file), fit)));
+                        py::str(runtime::with_figures(text_of_file(process_file), fit)));
 }
 
 // The report, and the least depth that is not stable by speed.
 py::tuple lobes(const std::filesystem::path& file, const std::pair<double, double>& speeds,
                 int count, const std::vector<std::pair<double, double>>& cuts,
                 const std::string& method) {
-  client::LobesRequest request;
+  process::LobesRequest request;
   request.process = config::read_chatter_file(file);
   request.speed_from = speeds.first;
   request.speed_to = speeds.second;
   request.count = count;
-  if (method == "semi-discretisation") request.method = client::LobesMethod::semi_discretisation;
+  if (method == "semi-discretisation") request.method = process::LobesMethod::semi_discretisation;
   for (const auto& [speed, depth_mm] : cuts)
     request.programmed.push_back({.speed_rev_per_min = speed, .depth_mm = depth_mm});
-  client::LobesStudy study;
+  process::LobesStudy study;
   {
     const py::gil_scoped_release others_run;
-    study = client::study_lobes(request);
+    study = process::study_lobes(request);
   }
   py::dict arrays;
-  arrays["speed_rev_per_min"] = column_of(study.limits, &client::LimitAt::speed_rev_per_min);
-  arrays["depth_mm"] = column_of(study.limits, &client::LimitAt::depth_mm);
-  arrays["chatter_hz"] = column_of(study.limits, &client::LimitAt::chatter_hz);
+  arrays["speed_rev_per_min"] = column_of(study.limits, &process::LimitAt::speed_rev_per_min);
+  arrays["depth_mm"] = column_of(study.limits, &process::LimitAt::depth_mm);
+  arrays["chatter_hz"] = column_of(study.limits, &process::LimitAt::chatter_hz);
   return py::make_tuple(py::str(protocol::json_text(client::to_json(study))), arrays);
 }
 

@@ -14,6 +14,9 @@ namespace stanok::client {
 namespace {
 
 using nlohmann::ordered_json;
+using process::LimitAt;
+using process::LobesStudy;
+using process::PlannedCut;
 using recording::gnuplot_text;
 using recording::number;
 

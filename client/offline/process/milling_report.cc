@@ -10,6 +10,9 @@
 namespace stanok::client {
 namespace {
 
+using runtime::MillingForecast;
+using runtime::MillingPlace;
+
 using recording::gnuplot_text;
 using recording::number;
 

@@ -3,24 +3,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "client/offline/process/force_forecast.h"
+#include "client/offline/process/forecast_job.h"
 #include "client/offline/process/milling_report.h"
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"
 #include "config/files/chatter_file.h"
 #include "recording/plot/gnuplot.h"
+#include "runtime/cutting/force_forecast.h"
 
 namespace stanok::client {
 namespace {
 
+using runtime::ForceForecast;
+using runtime::ForcePlace;
+using runtime::ForecastRequest;
+using runtime::MillingForecast;
+using runtime::MillingPlace;
+using runtime::MillingRequest;
+using runtime::with_feeds;
+
 struct OptimiseOptions {
-  ForecastRequest request;
+  std::string program;
+  JobOptions job;
+  double force_n = 0.0;
+  double feed_min = 0.0;
+  double feed_max = 0.0;
   std::string cut;  // file; empty: a turning program
   int tool = 0;
   double step_mm = 0.0;
@@ -97,12 +108,6 @@ std::string forces_script(const ForceForecast& forecast, double stiffness_n_per_
   return text;
 }
 
-std::string text_of_program(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path + "; check the path");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 double greatest(const ForceForecast& forecast, double ForcePlace::* quantity) {
   double most = 0.0;
   for (const ForcePlace& place : forecast.places) most = std::max(most, place.*quantity);
@@ -120,23 +125,21 @@ void warn_of_force(double most_n, double set_n) {
 }
 
 int run_milling(const OptimiseOptions& options) {
-  const ForecastRequest& turning = options.request;
-  const MillingRequest request{.program = turning.program,
-                               .job = turning.job,
+  const MillingRequest request{.job = forecast_job(options.program, options.job),
                                .cut = config::read_chatter_file(options.cut),
                                .tool = options.tool,
                                .step_mm = options.step_mm,
-                               .force_n = turning.force_n,
-                               .feed_min = turning.feed_min,
-                               .feed_max = turning.feed_max};
+                               .force_n = options.force_n,
+                               .feed_min = options.feed_min,
+                               .feed_max = options.feed_max};
   if (request.cut.kind != process::CutKind::milling)
     throw std::runtime_error(options.cut + " is not of a milling tool; give kind = \"milling\"");
   const MillingForecast forecast = forecast_milling(request);
   if (!options.out.empty())
-    write_text_file(options.out, with_feeds(text_of_program(request.program), forecast.lines));
+    write_text_file(options.out, with_feeds(request.job.text, forecast.lines));
   if (!options.csv.empty()) write_text_file(options.csv, to_csv(forecast));
   if (!options.picture.empty()) draw_picture(forecast, options.picture);
-  if (request.job.json) {
+  if (options.job.json) {
     write_json(to_json(forecast));
   } else {
     write_data(to_text(forecast));
@@ -150,11 +153,13 @@ int run_milling(const OptimiseOptions& options) {
 
 int run_optimise(const OptimiseOptions& options) {
   if (!options.cut.empty()) return run_milling(options);
-  const ForceForecast forecast = forecast_forces(options.request);
-  if (!options.out.empty()) {
-    write_text_file(options.out,
-                    with_feeds(text_of_program(options.request.program), forecast.lines));
-  }
+  const ForecastRequest request{.job = forecast_job(options.program, options.job),
+                                .force_n = options.force_n,
+                                .feed_min = options.feed_min,
+                                .feed_max = options.feed_max};
+  const ForceForecast forecast = forecast_forces(request);
+  if (!options.out.empty())
+    write_text_file(options.out, with_feeds(request.job.text, forecast.lines));
   if (!options.csv.empty())
     write_text_file(options.csv, forces_csv(forecast, options.stiffness_n_per_um));
   if (!options.picture.empty()) {
@@ -166,7 +171,7 @@ int run_optimise(const OptimiseOptions& options) {
   const double after_n = greatest(forecast, &ForcePlace::force_n);
   const double power_w = greatest(forecast, &ForcePlace::power_w);
   const double deflection = deflection_um(after_n, options.stiffness_n_per_um);
-  if (options.request.job.json) {
+  if (options.job.json) {
     nlohmann::ordered_json json{{"force_programmed_max_n", before_n},
                                 {"force_max_n", after_n},
                                 {"power_max_w", power_w},
@@ -183,7 +188,7 @@ int run_optimise(const OptimiseOptions& options) {
     if (deflection > 0.0)
       write_data(fmt::format("               {:.1f} um of deflection at most\n", deflection));
   }
-  warn_of_force(after_n, options.request.force_n);
+  warn_of_force(after_n, options.force_n);
   return 0;
 }
 
@@ -193,9 +198,8 @@ void add_optimise_command(CLI::App& noun, int& exit_code) {
   const auto options = std::make_shared<OptimiseOptions>();
   CLI::App* command = noun.add_subcommand(
       "optimise", "forces along a program, and feeds that keep them at a set value");
-  ForecastRequest& request = options->request;
-  command->add_option("PROGRAM", request.program, "part program")->required()->type_name("FILE");
-  add_job_options(*command, request.job);
+  command->add_option("PROGRAM", options->program, "part program")->required()->type_name("FILE");
+  add_job_options(*command, options->job);
   CLI::Option* const cut =
       command
           ->add_option("--cut", options->cut,
@@ -219,15 +223,15 @@ void add_optimise_command(CLI::App& noun, int& exit_code) {
       ->check(CLI::PositiveNumber)
       ->excludes(cut);
   command
-      ->add_option("--force", request.force_n,
+      ->add_option("--force", options->force_n,
                    "cutting force to be kept, N; without it the forces as programmed are told")
       ->check(CLI::PositiveNumber);
   command
-      ->add_option("--feed-min", request.feed_min,
+      ->add_option("--feed-min", options->feed_min,
                    "least feed, mm per turn; default: a twentieth of the programmed one")
       ->check(CLI::PositiveNumber);
   command
-      ->add_option("--feed-max", request.feed_max,
+      ->add_option("--feed-max", options->feed_max,
                    "greatest feed, mm per turn; default: the programmed one")
       ->check(CLI::PositiveNumber);
   command->add_option("--out", options->out, "part program to write")->type_name("FILE");

@@ -17,6 +17,11 @@
 namespace stanok::client {
 namespace {
 
+using process::LobesMethod;
+using process::LobesRequest;
+using process::LobesStudy;
+using process::PlannedCut;
+
 struct LobesOptions {
   std::string input;
   std::string speeds = "1000:20000";

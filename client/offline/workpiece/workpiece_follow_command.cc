@@ -9,7 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "client/offline/workpiece/workpiece_stream.h"
+#include "client/offline/workpiece/streamed_workpieces.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
 #include "client/terminal/noun_command.h"
@@ -20,6 +20,8 @@
 
 namespace stanok::client {
 namespace {
+
+using runtime::WorkpieceStream;
 
 constexpr int wait_ms = 100;
 
@@ -60,9 +62,9 @@ class Album {
 
  private:
   void write(WorkpieceStream& stream, const WorkpieceFiles& files) {
-    const auto workpieces = stream.workpieces();
+    const auto workpieces = streamed_workpieces(stream);
     if (workpieces.empty()) return;
-    for (const std::string& failure : write_files(workpieces, files, stream.names())) {
+    for (const std::string& failure : write_files(workpieces, files, file_names_of(stream))) {
       complain(0, "E9204", failure);
       has_failed_ = true;
     }
@@ -90,7 +92,7 @@ int end(const FollowOptions& options, WorkpieceStream& stream, Album& album) {
                          "over each gap, and what it cut beside that is not shown",
                          missing.count, missing.first_s));
   }
-  const auto workpieces = stream.workpieces();
+  const auto workpieces = streamed_workpieces(stream);
   if (workpieces.empty()) {
     complain(0, "E9201",
              "no workpiece was announced; on a machine, `stanok workpiece allow` lets the daemon "
@@ -100,12 +102,12 @@ int end(const FollowOptions& options, WorkpieceStream& stream, Album& album) {
   if (options.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const NamedWorkpiece& named : workpieces) {
-      json.push_back(to_json(named, stream.names()));
+      json.push_back(to_json(named, file_names_of(stream)));
       json.back()["program"] = named.title;
     }
     write_json(json);
   } else {
-    print(workpieces, stream.names());
+    print(workpieces, file_names_of(stream));
   }
   return is_written ? 0 : exit_failed;
 }
@@ -114,7 +116,7 @@ int follow_log(const FollowOptions& options) {
   const auto run = runtime::read_run(options.source);
   auto reader = recording::LogReader::open(options.source);
   if (!reader) throw std::runtime_error(reader.error().text);
-  WorkpieceStream stream(run->machine.machine, options.memory_mib << 20U, &run->files);
+  WorkpieceStream stream(run->machine.machine, options.memory_mib << 20U, complain, &run->files);
   Album album(options);
   while (const auto event = reader->next()) {
     stream.take(event->channel, event->bytes);
@@ -138,7 +140,7 @@ int follow_bus(const FollowOptions& options) {
   const config::MachineFile file = config::read_machine_file(options.machine_file);
   lcm::LCM bus(options.source);
   if (!bus.good()) throw std::runtime_error("LCM " + options.source + " cannot be opened");
-  WorkpieceStream stream(file.machine, options.memory_mib << 20U);
+  WorkpieceStream stream(file.machine, options.memory_mib << 20U, complain);
   Album album(options);
   BusHandler handler{stream};
   lcm::Subscription* subscription = bus.subscribe("STANOK_.*", &BusHandler::handle, &handler);

@@ -54,19 +54,4 @@ std::string quality_text(int readings, double noise, double residual_w) {
                      readings, 100.0 * noise, residual_w);
 }
 
-Estimate quotient(double known, const Estimate& found) {
-  return {.value = known / found.value, .low = known / found.high, .high = known / found.low};
-}
-
-std::string process_key(const char* key, const Estimate& estimate) {
-  return fmt::format("{} = {:.4f}  # {:.4f} to {:.4f}\n", key, estimate.value, estimate.low,
-                     estimate.high);
-}
-
-std::string idle_key(const DriveFit& fit, double rev_per_min) {
-  if (!fit.idle_square) return "";
-  return fmt::format("idle_coulomb_part = {:.4f}  # at {:.0f} rev/min\n",
-                     fit.coulomb_part(rev_per_min), rev_per_min);
-}
-
 }  // namespace stanok::client

@@ -39,13 +39,6 @@ void add_drive_json(nlohmann::ordered_json& json, const process::DriveFit& fit, 
 [[nodiscard]] std::string drive_text(const process::DriveFit& fit, double rev_per_min);
 [[nodiscard]] std::string quality_text(int readings, double noise, double residual_w);
 
-// Of a quantity that is known over the one that was found.
-[[nodiscard]] process::Estimate quotient(double known, const process::Estimate& found);
-
-// [process] of a machine file, each value with its interval.
-[[nodiscard]] std::string process_key(const char* key, const process::Estimate& estimate);
-[[nodiscard]] std::string idle_key(const process::DriveFit& fit, double rev_per_min);
-
 // Of rows with a power, as recorded and as fitted.
 template <class Row>
 std::vector<PowerPoint> power_points(const std::vector<double>& time_s,

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "client/offline/process/identify/figure_table.h"
-#include "client/offline/process/identify/keyed_text.h"
 
 namespace stanok::client {
 namespace {
@@ -11,7 +10,7 @@ namespace {
 using nlohmann::ordered_json;
 using process::GrindingFit;
 
-int readings_of(const GrindLog& log) {
+int readings_of(const runtime::GrindLog& log) {
   int count = 0;
   for (const process::GrindRow& row : log.record.rows) count += std::isfinite(row.power_w) ? 1 : 0;
   return count;
@@ -40,13 +39,6 @@ ordered_json to_json(const GrindFitReport& report) {
           {"noise", fit.noise},
           {"residual_w", fit.residual_w},
           {"readings", readings_of(report.log)}};
-}
-
-std::string with_figures(const std::string& process_file, const GrindingFit& fit) {
-  return with_figures(process_file,
-                      {{.key = "stiffness", .estimate = fit.stiffness_n_per_m, .digits = 0},
-                       {.key = "force_factor", .estimate = fit.force_factor, .digits = 4},
-                       {.key = "force_exponent", .estimate = fit.force_exponent, .digits = 4}});
 }
 
 void draw_picture(const GrindFitReport& report, const std::filesystem::path& file) {

@@ -2,13 +2,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
 
+#include "client/offline/process/forecast_job.h"
 #include "client/offline/process/identify/grind_fit_report.h"
 #include "client/offline/process/identify/identify_report.h"
 #include "client/offline/process/identify/milling_fit_report.h"
@@ -17,9 +16,17 @@
 #include "client/terminal/result_files.h"
 #include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
+#include "runtime/cutting/found_figures.h"
 
 namespace stanok::client {
 namespace {
+
+using runtime::CutLog;
+using runtime::GrindLog;
+using runtime::GrindLogRequest;
+using runtime::MillingLog;
+using runtime::MillingLogRequest;
+using runtime::StockStep;
 
 constexpr double usual_efficiency_of_wheel = 0.85;
 
@@ -64,12 +71,6 @@ std::vector<StockStep> stock_of(const IdentifyOptions& options) {
   return stock;
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path + "; check the path");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // What was found: into the file that was asked for, as a picture, and on standard output.
 template <class Report>
 int tell(const IdentifyOptions& options, const Report& report,
@@ -97,7 +98,8 @@ int run_grinding(const IdentifyOptions& options) {
   const auto fit = process::fit_grinding(log.record, sheet.process);
   if (!fit) throw std::runtime_error(fit.error());
   const GrindFitReport report{.log = log, .fit = *fit};
-  return tell(options, report, [&] { return with_figures(text_of(options.grinding), *fit); });
+  return tell(options, report,
+              [&] { return runtime::with_figures(text_of_file(options.grinding), *fit); });
 }
 
 int run_milling(const IdentifyOptions& options) {
@@ -112,7 +114,7 @@ int run_milling(const IdentifyOptions& options) {
   if (!fit) throw std::runtime_error(fit.error());
   const MillingFitReport report{
       .log = log, .fit = *fit, .efficiency = options.efficiency.value_or(1.0)};
-  return tell(options, report, [&] { return with_figures(text_of(options.cut), report); });
+  return tell(options, report, [&] { return with_figures(text_of_file(options.cut), report); });
 }
 
 int run_identify(const IdentifyOptions& options) {
@@ -122,8 +124,9 @@ int run_identify(const IdentifyOptions& options) {
     throw CLI::RequiredError(
         "--stock of a turning cut, --cut of a milling cut, or --grinding of a plunge cycle");
   }
-  const CutLog log =
-      read_cut_log(options.log, options.channel, options.spindle - 1, stock_of(options));
+  const CutLog log = runtime::read_cut_log(
+      options.log,
+      {.channel = options.channel, .spindle = options.spindle - 1, .stock = stock_of(options)});
   const auto fit = process::fit_turning(log.record);
   if (!fit) throw std::runtime_error(fit.error());
   const IdentifyReport report{.log = log, .fit = *fit, .coefficient_n = options.coefficient_n};

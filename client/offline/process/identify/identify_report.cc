@@ -1,8 +1,7 @@
 #include "client/offline/process/identify/identify_report.h"
 
-#include <algorithm>
-
 #include "client/offline/process/identify/figure_table.h"
+#include "runtime/cutting/found_figures.h"
 
 namespace stanok::client {
 namespace {
@@ -13,7 +12,7 @@ using process::TurningFit;
 
 // C over C / eta.
 Estimate efficiency_of(const IdentifyReport& report) {
-  return quotient(report.coefficient_n, report.fit.coefficient_n);
+  return runtime::quotient(report.coefficient_n, report.fit.coefficient_n);
 }
 
 double speed_of(const IdentifyReport& report) {
@@ -42,15 +41,7 @@ ordered_json to_json(const IdentifyReport& report) {
 }
 
 std::string process_section(const IdentifyReport& report) {
-  const TurningFit& fit = report.fit;
-  std::string text = "[process]\n";
-  if (report.coefficient_n > 0.0) {
-    Estimate efficiency = efficiency_of(report);
-    efficiency.value = std::min(efficiency.value, 1.0);
-    text += process_key("efficiency", efficiency);
-  }
-  return text + process_key("power_lag", fit.lag_s) + process_key("feed_exponent", fit.exponent) +
-         idle_key(fit, speed_of(report));
+  return runtime::process_section(report.fit, speed_of(report), report.coefficient_n);
 }
 
 void draw_picture(const IdentifyReport& report, const std::filesystem::path& file) {

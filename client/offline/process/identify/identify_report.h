@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "client/offline/process/identify/cut_log.h"
+#include "runtime/cutting/cut_log.h"
 
 namespace stanok::client {
 
 struct IdentifyReport {
-  const CutLog& log;
+  const runtime::CutLog& log;
   const process::TurningFit& fit;
   // Known from elsewhere: C of the material, N; 0: it is not known, and neither is the efficiency.
   double coefficient_n = 0.0;

@@ -1,9 +1,7 @@
 #include "client/offline/process/identify/milling_fit_report.h"
 
-#include <algorithm>
-
 #include "client/offline/process/identify/figure_table.h"
-#include "client/offline/process/identify/keyed_text.h"
+#include "runtime/cutting/found_figures.h"
 
 namespace stanok::client {
 namespace {
@@ -11,18 +9,12 @@ namespace {
 using nlohmann::ordered_json;
 using process::Estimate;
 
-Estimate times(double factor, const Estimate& estimate) {
-  return {.value = factor * estimate.value,
-          .low = factor * estimate.low,
-          .high = factor * estimate.high};
-}
-
 Estimate force_of(const MillingFitReport& report) {
-  return times(report.efficiency, report.fit.force_n_per_mm2);
+  return runtime::cut_forces(report.fit, report.efficiency).force_n_per_mm2;
 }
 
 Estimate edge_of(const MillingFitReport& report) {
-  return times(report.efficiency, report.fit.edge_n_per_mm);
+  return runtime::cut_forces(report.fit, report.efficiency).edge_n_per_mm;
 }
 
 double speed_of(const MillingFitReport& report) {
@@ -48,10 +40,7 @@ ordered_json to_json(const MillingFitReport& report) {
 }
 
 std::string with_figures(const std::string& cut_file, const MillingFitReport& report) {
-  Estimate edge = edge_of(report);
-  edge.value = std::max(edge.value, 0.0);
-  return with_figures(cut_file, {{.key = "force", .estimate = force_of(report), .digits = 1},
-                                 {.key = "edge_force", .estimate = edge, .digits = 2}});
+  return runtime::with_figures(cut_file, runtime::cut_forces(report.fit, report.efficiency));
 }
 
 void draw_picture(const MillingFitReport& report, const std::filesystem::path& file) {

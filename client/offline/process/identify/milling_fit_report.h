@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "client/offline/process/identify/milling_log.h"
+#include "runtime/cutting/milling_log.h"
 
 namespace stanok::client {
 
 struct MillingFitReport {
-  const MillingLog& log;
+  const runtime::MillingLog& log;
   const process::MillingFit& fit;
   // Of the drive, known from elsewhere: K_t is that times K_t / eta.
   double efficiency = 1.0;

@@ -1,6 +1,6 @@
 // Feeds that keep a force, by the formula; their words in a program; the program on the virtual
 // part.
-#include "client/offline/process/feed_plan.h"
+#include "runtime/cutting/feed_plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,14 +9,21 @@
 #include <fstream>
 
 #include "channels/contract/output.h"
-#include "client/offline/process/force_forecast.h"
-#include "client/offline/process/program_feeds.h"
+#include "client/offline/process/forecast_job.h"
+#include "runtime/cutting/force_forecast.h"
+#include "runtime/cutting/program_feeds.h"
 #include "runtime/simulation.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
 
 namespace stanok::client {
 namespace {
+
+using runtime::CutPlace;
+using runtime::ForceForecast;
+using runtime::ForecastRequest;
+using runtime::plan_feeds;
+using runtime::with_feeds;
 
 const std::string lathe_file = stanok::testing::source_folder() + "/config/machines/lathe.toml";
 const std::string steps_program =
@@ -111,11 +118,12 @@ std::string text_of(const std::string& path) {
 
 ForceForecast forecast_at_1200_n() {
   ForecastRequest request;
-  request.program = steps_program;
+  JobOptions job;
+  job.machine_file = lathe_file;
+  request.job = forecast_job(steps_program, job);
   request.force_n = 1200.0;
   request.feed_min = 0.05;
   request.feed_max = 0.6;
-  request.job.machine_file = lathe_file;
   return forecast_forces(request);
 }
 

@@ -1,5 +1,5 @@
 // What is made of stability lobes: best speeds, judged cuts, their report.
-#include "client/offline/process/lobes_study.h"
+#include "process/chatter/lobes_study.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,9 @@
 
 namespace stanok::client {
 namespace {
+
+using process::LobesRequest;
+using process::LobesStudy;
 
 // One mode in turning: lobes repeat with the natural frequency.
 LobesRequest one_mode() {

@@ -1,5 +1,5 @@
 // Forces along a milling program on its virtual workpiece, at cuts whose engagement is known.
-#include "client/offline/process/milling_forecast.h"
+#include "runtime/cutting/milling_forecast.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,15 +10,24 @@
 #include <numbers>
 #include <tuple>
 
+#include "client/offline/process/forecast_job.h"
 #include "client/offline/process/milling_report.h"
-#include "client/offline/process/program_text.h"
+#include "runtime/cutting/program_text.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
 
 namespace stanok::client {
 namespace {
 
+using runtime::MillingForecast;
+using runtime::MillingPlace;
+using runtime::MillingRequest;
+using runtime::ProgramText;
+using runtime::with_feeds;
+
 constexpr double pi = std::numbers::pi;
+const std::string machine_file =
+    stanok::testing::source_folder() + "/config/machines/e7106mf4.toml";
 
 // Tool 3 of e7106mf4: end mill of 6 mm. A slot of 2 mm; then 3 mm of width upwards, and downwards;
 // then 1 mm deep across the bottom of the slot, which is air but for a wall.
@@ -60,8 +69,9 @@ process::CuttingProcess end_mill() {
 struct Program {
   explicit Program(const std::string& text) {
     std::ofstream(file()) << text;
-    request.program = file();
-    request.job.machine_file = stanok::testing::source_folder() + "/config/machines/e7106mf4.toml";
+    JobOptions job;
+    job.machine_file = machine_file;
+    request.job = forecast_job(file(), job);
     request.cut = end_mill();
   }
   [[nodiscard]] std::string file() const { return folder.path() / "part.nc"; }

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "client/offline/workpiece/workpiece_stream.h"
+#include "client/offline/workpiece/streamed_workpieces.h"
 #include "recording/format/decode.h"
 #include "recording/log/log_reader.h"
 #include "runtime/log_observer.h"
@@ -19,6 +19,8 @@
 
 namespace stanok::client {
 namespace {
+
+using runtime::WorkpieceStream;
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -63,21 +65,23 @@ class WorkpieceRun : public ::testing::Test {
   // The JSON of the one workpiece in the log, without the messages on channels that end so.
   [[nodiscard]] nlohmann::ordered_json out_of_log(const std::string& left_out = "none") const {
     const auto recorded = runtime::read_run(log_);
-    WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, &recorded->files);
+    WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, complain,
+                           &recorded->files);
     auto reader = recording::LogReader::open(log_);
     while (const auto event = reader->next()) {
       if (!event->channel.ends_with(left_out)) stream.take(event->channel, event->bytes);
     }
-    const auto workpieces = stream.workpieces();
+    const auto workpieces = streamed_workpieces(stream);
     EXPECT_EQ(workpieces.size(), 1U);
     EXPECT_EQ(workpieces.at(0).title, "part.nc");
-    return to_json(workpieces.at(0), stream.names());
+    return to_json(workpieces.at(0), file_names_of(stream));
   }
 
   // What is missing of the log when the setpoints of these cycles did not come.
   [[nodiscard]] WorkpieceStream::Missing missing_without(std::int64_t from, std::int64_t to) const {
     const auto recorded = runtime::read_run(log_);
-    WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, &recorded->files);
+    WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, complain,
+                           &recorded->files);
     auto reader = recording::LogReader::open(log_);
     while (const auto event = reader->next()) {
       const auto setpoint = recording::decode<setpoint_t>(event->bytes);

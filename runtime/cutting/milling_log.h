@@ -7,14 +7,18 @@
 
 #include "process/chatter/cutting_process.h"
 #include "process/identify/milling_fit.h"
+#include "runtime/cutting/reading_bounds.h"
+#include "simulation/blank.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 struct MillingLogRequest {
   int channel = 1;
   int spindle = 0;              // of the machine, from 0 on
   process::CuttingProcess cut;  // teeth and helix of the tool; its forces are not looked at
   int tool = 0;                 // whose cuts are looked at; 0: all
+  std::uint64_t memory_max = simulation::memory_default;  // of the virtual workpiece, bytes
+  ReadingBounds bounds{};
 };
 
 struct MillingLog {
@@ -26,4 +30,4 @@ struct MillingLog {
 [[nodiscard]] MillingLog read_milling_log(const std::filesystem::path& file,
                                           const MillingLogRequest& request);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "process/identify/grinding_fit.h"
+#include "runtime/cutting/reading_bounds.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 struct GrindLogRequest {
   int channel = 1;
@@ -18,6 +19,7 @@ struct GrindLogRequest {
   // `stanok grind` have it.
   std::optional<double> touch_mm{};
   double watts_per_newton = 0.0;
+  ReadingBounds bounds{};
 };
 
 struct GrindLog {
@@ -30,4 +32,4 @@ struct GrindLog {
 [[nodiscard]] GrindLog read_grind_log(const std::filesystem::path& file,
                                       const GrindLogRequest& request);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

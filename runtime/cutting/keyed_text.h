@@ -6,7 +6,7 @@
 
 #include "process/identify/drive_fit.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 struct KeyedFigure {
   std::string key;
@@ -19,4 +19,4 @@ struct KeyedFigure {
 [[nodiscard]] std::string with_figures(const std::string& toml,
                                        const std::vector<KeyedFigure>& figures);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

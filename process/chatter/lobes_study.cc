@@ -1,4 +1,4 @@
-#include "client/offline/process/lobes_study.h"
+#include "process/chatter/lobes_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,8 @@
 
 #include "process/chatter/grinding_lobes.h"
 
-namespace stanok::client {
+namespace stanok::process {
 namespace {
-
-using process::LobePoint;
-using process::SemiDiscretisation;
-using process::StabilityLobes;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double depth_seen = 8.0;  // of the zeroth-order limit, where the motion itself is asked
@@ -24,7 +20,7 @@ class Limits {
  public:
   explicit Limits(const LobesRequest& request)
       : method_(request.method), lobes_(request.process), motion_(request.process) {
-    if (request.process.kind == process::CutKind::grinding) {
+    if (request.process.kind == CutKind::grinding) {
       grinding_.emplace(request.process);
       return;
     }
@@ -47,7 +43,7 @@ class Limits {
   LobesMethod method_;
   StabilityLobes lobes_;
   SemiDiscretisation motion_;
-  std::optional<process::GrindingLobes> grinding_;
+  std::optional<GrindingLobes> grinding_;
   double depth_max_ = 0.0;
 };
 
@@ -88,12 +84,12 @@ PlannedCut judge(const LobePoint& cut, const Limits& limits, const std::vector<L
 
 }  // namespace
 
-LobesStudy study_lobes(const LobesRequest& request) {
+LobesStudy study_lobes(const LobesRequest& request, const std::function<bool()>& gives_up) {
   const Limits limits(request);
   LobesStudy study;
   study.kind = request.process.kind;
   study.always_mm = unlimited;
-  for (int k = 0; k < request.count; ++k) {
+  for (int k = 0; k < request.count && !gives_up(); ++k) {
     study.limits.push_back(limits.at(speed_at(request, k)));
     study.always_mm = std::min(study.always_mm, study.limits.back().depth_mm);
   }
@@ -103,4 +99,4 @@ LobesStudy study_lobes(const LobesRequest& request) {
   return study;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::process

@@ -6,12 +6,11 @@
 #include <optional>
 #include <string>
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 class ProgramText {
  public:
-  // Throws std::runtime_error where it cannot be read.
-  explicit ProgramText(const std::string& program);
+  explicit ProgramText(const std::string& text);
 
   // By number, from 1.
   [[nodiscard]] const std::map<std::uint32_t, std::string>& lines() const { return lines_; }
@@ -28,4 +27,4 @@ class ProgramText {
   std::map<std::uint32_t, std::string> lines_;
 };
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,10 +1,10 @@
-#include "client/offline/process/feed_plan.h"
+#include "runtime/cutting/feed_plan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 // A stretch may go on while its feed is at most this much below what is permitted.
@@ -52,4 +52,4 @@ std::vector<FeedStretch> plan_feeds(const std::vector<CutPlace>& places, const F
   return stretches;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,4 +1,4 @@
-#include "client/offline/workpiece/workpiece_stream.h"
+#include "runtime/workpiece/workpiece_stream.h"
 
 #include <filesystem>
 #include <stanok_messages/process_status_t.hpp>
@@ -12,7 +12,7 @@
 #include "recording/format/encode.h"
 #include "recording/format/encode_tool_row.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 using recording::Topic;
@@ -26,12 +26,12 @@ std::string prefix_of(const std::string& machine) {
 }  // namespace
 
 WorkpieceStream::WorkpieceStream(const channels::MachineConfig& machine, std::uint64_t memory_max,
-                                 const lang::Files* texts)
+                                 const Complaint& complain, const lang::Files* texts)
     : texts_(texts), prefix_(prefix_of(machine.name)), cycle_s_(machine.cycle_us * 1e-6) {
   for (const channels::ChannelConfig& channel : machine.channels) {
-    channels_[channel.id].feed = std::make_unique<runtime::ChannelFeed>(
+    channels_[channel.id].feed = std::make_unique<ChannelFeed>(
         machine, channel, memory_max,
-        [id = channel.id](const std::string& code, const std::string& text) {
+        [id = channel.id, complain](const std::string& code, const std::string& text) {
           complain(id, code, text);
         });
   }
@@ -42,7 +42,7 @@ WorkpieceStream::Followed* WorkpieceStream::followed(int channel) {
   return found == channels_.end() ? nullptr : &found->second;
 }
 
-runtime::ChannelFeed* WorkpieceStream::feed(int channel) {
+ChannelFeed* WorkpieceStream::feed(int channel) {
   Followed* const found = followed(channel);
   return found == nullptr ? nullptr : found->feed.get();
 }
@@ -72,7 +72,7 @@ void WorkpieceStream::take(std::string_view channel_name, std::span<const std::u
                                       });
   } else if (on(Topic::workpiece)) {
     take_of_channel<workpiece_t>(bytes, [](Followed& channel, const workpiece_t& message) {
-      channel.news = runtime::news_of(message);
+      channel.news = news_of(message);
     });
   }
 }
@@ -91,7 +91,7 @@ void WorkpieceStream::follow(const setpoint_t& setpoint) {
   time_s_ = static_cast<double>(setpoint.cycle) * cycle_s_;
   count_missing(*channel, setpoint.cycle);
   const simulation::Sample sample =
-      runtime::sample_of(setpoint, time_s_, channel->tool, channel->spindle_rev_per_min);
+      sample_of(setpoint, time_s_, channel->tool, channel->spindle_rev_per_min);
   if (!channel->files.contains(sample.origin.run))
     channel->files[sample.origin.run] = files_of_program();
   if (!channel->feed->has_heard(channel->news.announcements))
@@ -117,30 +117,18 @@ std::vector<std::string> WorkpieceStream::files_of_program() const {
   return {std::filesystem::path(program_).filename().string()};
 }
 
-std::vector<NamedWorkpiece> WorkpieceStream::workpieces() {
-  const FileNames name_of = names();
-  std::vector<NamedWorkpiece> named;
-  for (auto& [id, channel] : channels_) {
-    channel.feed->follower().flush();
-    for (const auto& workpiece : channel.feed->follower().workpieces()) {
-      named.push_back({workpiece.get(), title_of(*workpiece, name_of, id), removal_of(*workpiece)});
-    }
-  }
-  return named;
+std::vector<ChannelFeed*> WorkpieceStream::feeds() {
+  std::vector<ChannelFeed*> feeds;
+  for (auto& [id, channel] : channels_) feeds.push_back(channel.feed.get());
+  return feeds;
 }
 
-FileNames WorkpieceStream::names() const {
-  std::map<std::pair<int, std::uint32_t>, std::vector<std::string>> files;
+WorkpieceStream::FilesOfRuns WorkpieceStream::files() const {
+  FilesOfRuns files;
   for (const auto& [id, channel] : channels_) {
     for (const auto& [run, names] : channel.files) files[{id, run}] = names;
   }
-  return [files = std::move(files)](const simulation::Origin& origin) {
-    const auto found = files.find({origin.channel, origin.run});
-    if (found == files.end()) return std::string();
-    const std::vector<std::string>& names = found->second;
-    if (origin.file < names.size()) return names[origin.file];
-    return names.front() + " (file " + std::to_string(origin.file) + " of it)";
-  };
+  return files;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -8,7 +8,7 @@
 
 #include "recording/log/log_reader.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 struct PowerReading {
   std::int64_t cycle = 0;  // that was given the value
@@ -36,4 +36,4 @@ class PowerReadings {
   std::vector<PowerReading> changes_;
 };
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,4 +1,4 @@
-#include "client/offline/process/identify/milling_log.h"
+#include "runtime/cutting/milling_log.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,14 +9,14 @@
 #include <stdexcept>
 
 #include "base/place.h"
-#include "client/offline/process/identify/power_readings.h"
-#include "client/offline/process/load_ahead.h"
-#include "client/offline/workpiece/workpiece_stream.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
+#include "runtime/cutting/load_ahead.h"
+#include "runtime/cutting/power_readings.h"
 #include "runtime/recorded_run.h"
+#include "runtime/workpiece/workpiece_stream.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 using recording::Topic;
@@ -68,10 +68,15 @@ class LoadByRow {
 // Takes the events of a log one after the other.
 class MillingReading {
  public:
-  MillingReading(const runtime::RecordedRun& run, const MillingLogRequest& request)
+  MillingReading(const RecordedRun& run, const MillingLogRequest& request)
       : request_(request),
         readings_(request.spindle),
-        stream_(run.machine.machine, simulation::memory_default, &run.files),
+        stream_(
+            run.machine.machine, request.memory_max,
+            [this](int, const std::string& code, const std::string& text) {
+              if (refusal_.empty() && code.front() == 'E') refusal_ = code + ": " + text;
+            },
+            &run.files),
         cycle_s_(run.machine.machine.cycle_us * 1e-6) {
     request_.cut.force_n_per_mm2 = 1.0;
     request_.cut.edge_n_per_mm = 1.0;
@@ -96,6 +101,8 @@ class MillingReading {
     }
   }
 
+  // Why the workpiece cannot be followed; empty: it can.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
   [[nodiscard]] bool has_power() const { return !readings_.is_empty(); }
   [[nodiscard]] bool has_workpiece() { return feed_->follower().at_work() != nullptr; }
 
@@ -121,6 +128,7 @@ class MillingReading {
 
  private:
   void take_setpoint(const setpoint_t& message) {
+    request_.bounds.check(speeds_mm_per_s_.size());
     if (first_cycle_ < 0) first_cycle_ = message.cycle;
     const std::size_t row = speeds_mm_per_s_.size();
     speeds_rev_per_min_.push_back(std::abs(rev_per_min_));
@@ -158,10 +166,11 @@ class MillingReading {
   static constexpr double same_direction = 0.98;
 
   MillingLogRequest request_;
+  std::string refusal_;
   PowerReadings readings_;
   WorkpieceStream stream_;
   double cycle_s_;
-  runtime::ChannelFeed* feed_ = nullptr;
+  ChannelFeed* feed_ = nullptr;
   LoadByRow loads_;
   std::vector<double> speeds_rev_per_min_;
   std::vector<double> speeds_mm_per_s_;  // of the tip, at feed
@@ -176,11 +185,12 @@ class MillingReading {
 }  // namespace
 
 MillingLog read_milling_log(const std::filesystem::path& file, const MillingLogRequest& request) {
-  const auto run = runtime::read_run(file);
+  const auto run = read_run(file);
   auto reader = recording::LogReader::open(file);
   if (!reader) throw std::runtime_error(reader.error().text);
   MillingReading reading(*run, request);
   while (const auto event = reader->next()) reading.take(*event);
+  if (!reading.refusal().empty()) throw std::runtime_error(reading.refusal());
   if (!reading.has_workpiece()) {
     throw std::runtime_error(
         "the log has no workpiece; announce the blank in the program with #workpiece (on a "
@@ -194,4 +204,4 @@ MillingLog read_milling_log(const std::filesystem::path& file, const MillingLogR
   return reading.end();
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,4 +1,4 @@
-#include "client/offline/process/identify/grind_log.h"
+#include "runtime/cutting/grind_log.h"
 
 #include <algorithm>
 #include <stanok_messages/setpoint_t.hpp>
@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "base/place.h"
-#include "client/offline/process/identify/power_readings.h"
 #include "recording/format/decode.h"
 #include "recording/read/log_contents.h"
+#include "runtime/cutting/power_readings.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 constexpr double before_touch_s = 2.0;
@@ -70,6 +70,7 @@ GrindLog read_grind_log(const std::filesystem::path& file, const GrindLogRequest
     if (event->channel != setpoints) continue;
     const auto message = recording::decode<setpoint_t>(event->bytes);
     if (!message) continue;
+    request.bounds.check(x_mm.size());
     if (first_cycle < 0) first_cycle = message->cycle;
     x_mm.push_back(message->tip_position[axis]);
   }
@@ -99,4 +100,4 @@ GrindLog read_grind_log(const std::filesystem::path& file, const GrindLogRequest
   return log;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

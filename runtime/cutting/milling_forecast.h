@@ -8,24 +8,24 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 #include <vector>
 
-#include "client/offline/machine/job_options.h"
-#include "client/offline/process/program_feeds.h"
 #include "process/chatter/cutting_process.h"
+#include "runtime/cutting/forecast_job.h"
+#include "runtime/cutting/program_feeds.h"
+#include "simulation/blank.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 struct MillingRequest {
-  std::string program;
-  JobOptions job;
+  ForecastJob job;
   process::CuttingProcess cut;  // of the tool; engagement comes from the workpiece
   int tool = 0;                 // whose cuts are looked at; 0: all
   double step_mm = 0.0;         // between two places; 0: twice the resolution of the workpiece
   double force_n = 0.0;         // greatest resultant to be kept; 0: forces as programmed alone
   double feed_min = 0.0;        // mm per turn; 0: a twentieth of the programmed feed
   double feed_max = 0.0;        // 0: the programmed feed
+  std::uint64_t memory_max = simulation::memory_default;  // of the virtual workpiece, bytes
 };
 
 // A place of the path. Feeds in mm/min, coordinates in the program's frame where it announced its
@@ -56,8 +56,8 @@ struct MillingForecast {
   std::map<std::uint32_t, std::vector<FedPoint>> lines;  // of the program text
 };
 
-// What is wrong with the program is printed; throws std::runtime_error then, where the program
+// Throws std::runtime_error where something is wrong with the program, where the program
 // announces no workpiece, and where a program that is to be planned has feeds that cannot be.
 [[nodiscard]] MillingForecast forecast_milling(const MillingRequest& request);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

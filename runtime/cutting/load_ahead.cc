@@ -1,11 +1,11 @@
-#include "client/offline/process/load_ahead.h"
+#include "runtime/cutting/load_ahead.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "simulation/engagement.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 constexpr double look_ahead_part = 0.5;  // of the resolution: how far in front of the tool
@@ -44,4 +44,4 @@ process::MillingLoad load_ahead(simulation::WorkpieceFollower& follower,
   return {cut, slices_of(engagement), {.across = across, .along = along}};
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -7,18 +7,16 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 #include <vector>
 
-#include "client/offline/machine/job_options.h"
-#include "client/offline/process/feed_plan.h"
-#include "client/offline/process/program_feeds.h"
+#include "runtime/cutting/feed_plan.h"
+#include "runtime/cutting/forecast_job.h"
+#include "runtime/cutting/program_feeds.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 struct ForecastRequest {
-  std::string program;
-  JobOptions job;
+  ForecastJob job;
   double force_n = 0.0;
   double feed_min = 0.0;  // mm per turn; 0: a twentieth of the programmed feed
   double feed_max = 0.0;  // 0: the programmed feed
@@ -46,8 +44,8 @@ struct ForceForecast {
   std::map<std::uint32_t, std::vector<FedPoint>> lines;  // of the program text
 };
 
-// What is wrong with the program is printed; throws std::runtime_error then, and where the machine
-// file has no stock.
+// Throws std::runtime_error where something is wrong with the program, and where the machine file
+// has no stock.
 [[nodiscard]] ForceForecast forecast_forces(const ForecastRequest& request);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,4 +1,4 @@
-#include "client/offline/process/identify/power_readings.h"
+#include "runtime/cutting/power_readings.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +10,7 @@
 #include "recording/format/decode.h"
 #include "recording/format/encode_input_record.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 // Where the spindle has kept its speed for a while, and turns.
@@ -73,4 +73,4 @@ std::vector<double> PowerReadings::by_row(std::int64_t first_cycle,
   return power;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,9 +1,9 @@
-#include "client/offline/process/program_feeds.h"
+#include "runtime/cutting/program_feeds.h"
 
 #include <algorithm>
 #include <cctype>
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 // Where the comment of a line begins.
@@ -64,4 +64,4 @@ std::string with_feeds(const std::string& text,
   return result;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

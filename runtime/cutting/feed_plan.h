@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 struct ForceModel {
   double coefficient_n = 1600.0;  // C
@@ -44,4 +44,4 @@ struct FeedStretch {
                                                   const ForceModel& model, double force_n,
                                                   const FeedLimits& limits);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,4 +1,4 @@
-#include "client/offline/process/milling_forecast.h"
+#include "runtime/cutting/milling_forecast.h"
 
 #include <fmt/format.h>
 
@@ -11,14 +11,12 @@
 #include <stdexcept>
 
 #include "base/place.h"
-#include "client/offline/process/load_ahead.h"
-#include "client/offline/process/program_text.h"
-#include "client/terminal/diagnostic_output.h"
-#include "client/terminal/interrupts.h"
+#include "runtime/cutting/load_ahead.h"
+#include "runtime/cutting/program_text.h"
 #include "runtime/simulation.h"
 #include "runtime/workpiece/workpiece_feed.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 using simulation::Vector;
@@ -35,13 +33,13 @@ struct CutAhead {
 };
 
 // Follows the channel of the job and looks ahead of its tool.
-class CutObserver final : public runtime::CycleObserver {
+class CutObserver final : public CycleObserver {
  public:
   CutObserver(const MillingRequest& request, const config::MachineFile& file)
       : request_(request),
         channel_(place_of_channel(file.machine, request.job.channel)),
         cycle_s_(file.machine.cycle_us * 1e-6),
-        feed_(file.machine, file.machine.channels[channel_], simulation::memory_default,
+        feed_(file.machine, file.machine.channels[channel_], request.memory_max,
               [this](const std::string& code, const std::string& text) {
                 if (refusal_.empty() && code.front() == 'E') refusal_ = code + ": " + text;
               }) {}
@@ -50,7 +48,7 @@ class CutObserver final : public runtime::CycleObserver {
     const channels::ChannelOutput& channel = output.channels[channel_];
     if (channel.axis_count == 0) return;
     const simulation::Sample sample =
-        runtime::sample_of(channel, static_cast<double>(output.cycle) * cycle_s_);
+        sample_of(channel, static_cast<double>(output.cycle) * cycle_s_);
     feed_.take(sample, channel.tool_row, channel.workpiece);
     const auto mill = feed_.follower().milling_tool();
     const bool cuts = mill && channel.feed_commanded > 0.0 && sample.spindle_turns &&
@@ -126,7 +124,7 @@ class CutObserver final : public runtime::CycleObserver {
   std::size_t channel_;
   double cycle_s_;
   std::string refusal_;
-  runtime::ChannelFeed feed_;
+  ChannelFeed feed_;
   std::optional<Vector> tip_;
   double path_mm_ = 0.0;
   double since_mm_ = 0.0;
@@ -161,7 +159,7 @@ class FeedPlanning {
 
  private:
   void check_program() {
-    const ProgramText text(request_.program);
+    const ProgramText text(request_.job.text);
     for (const auto& [number, line] : text.lines()) {
       for (const char* const word : {"G95", "G20", "G93"}) {
         if (ProgramText::has_word(line, word))
@@ -197,24 +195,28 @@ class FeedPlanning {
   std::map<std::uint32_t, double> planned_;
 };
 
-void tell(const runtime::SimulationResult& result) {
-  for (const auto& report : result.load_diagnostics) print(report.diagnostic);
-  for (const auto& report : result.alarms) print(report.diagnostic);
+void tell(const SimulationResult& result, const ForecastJob& job) {
+  for (const auto& report : result.load_diagnostics) job.tell(report.diagnostic);
+  for (const auto& report : result.alarms) job.tell(report.diagnostic);
 }
 
 }  // namespace
 
 MillingForecast forecast_milling(const MillingRequest& request) {
-  const LocatedProgram located = locate(request.program);
-  runtime::SimulationOptions options;
-  options.file = machine_file_of(request.job);
-  options.schemes = scheme_choices(request.job);
-  options.programs = {{request.job.channel, located.name}};
-  options.program_roots = search_roots({located}, request.job);
+  const ForecastJob& job = request.job;
+  SimulationOptions options;
+  options.file = job.machine;
+  options.schemes = job.schemes;
+  options.programs = {{job.channel, job.program}};
+  options.program_roots = job.program_roots;
   CutObserver observer(request, options.file);
-  const auto result = runtime::simulate(options, {&observer}, [] { return is_interrupted(); });
-  tell(result);
-  if (!result.ok) throw std::runtime_error(request.program + " does not run to its end");
+  const auto result = simulate(options, {&observer}, [&] {
+    return job.gives_up() || observer.places.size() > job.places_max;
+  });
+  tell(result, job);
+  if (observer.places.size() > job.places_max)
+    throw std::runtime_error(job.program + " has a longer path than is followed here");
+  if (!result.ok) throw std::runtime_error(job.program + " does not run to its end");
   if (!observer.refusal().empty()) throw std::runtime_error(observer.refusal());
   if (!observer.has_workpiece())
     throw std::runtime_error("the program announces no workpiece; give its blank with #workpiece");
@@ -235,4 +237,4 @@ MillingForecast forecast_milling(const MillingRequest& request) {
   return forecast;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

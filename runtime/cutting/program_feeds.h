@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 // Points of a block in the words of the program, and the feed up to each; the last one is its end.
 struct FedPoint {
@@ -20,4 +20,4 @@ struct FedPoint {
 [[nodiscard]] std::string with_feeds(const std::string& text,
                                      const std::map<std::uint32_t, std::vector<FedPoint>>& lines);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

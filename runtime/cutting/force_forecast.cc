@@ -1,4 +1,4 @@
-#include "client/offline/process/force_forecast.h"
+#include "runtime/cutting/force_forecast.h"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,12 @@
 #include <variant>
 
 #include "base/place.h"
-#include "client/offline/process/program_text.h"
-#include "client/terminal/diagnostic_output.h"
 #include "plant/cutting/stock.h"
+#include "runtime/cutting/program_text.h"
 #include "runtime/dry_run.h"
 #include "runtime/program_files.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 constexpr double place_step_mm = 0.02;
@@ -49,25 +48,25 @@ class ForecastRun {
  public:
   explicit ForecastRun(const ForecastRequest& request)
       : request_(request),
-        machine_(machine_file_of(request.job)),
-        cutting_(machine_.simulation.cutting),
+        cutting_(request.job.machine.simulation.cutting),
         stock_(stock_of(cutting_)),
         model_{.coefficient_n = cutting_.specific_force_n, .exponent = cutting_.feed_exponent},
-        text_(request.program) {}
+        text_(request.job.text) {}
 
   ForceForecast run() {
-    const LocatedProgram located = locate(request_.program);
-    const runtime::ProgramFiles files(search_roots({located}, request_.job),
-                                      runtime::program_format(machine_.machine));
-    runtime::DryRun dry_run(machine_.machine, request_.job.channel, scheme_of(request_.job), files);
+    const ForecastJob& job = request_.job;
+    const ProgramFiles files(job.program_roots, program_format(job.machine.machine));
+    DryRun dry_run(job.machine.machine, job.channel, job.scheme(), files);
     find_axes(dry_run.channel());
     const auto take = [&](const lang::Command& command, const motion::PathBlock* block) {
       follow(command, block);
     };
-    const auto result = dry_run.run(located.name, runtime::Reachability::unchecked, take,
-                                    [](const lang::Request&, const lang::Command&) {});
-    for (const Diagnostic& diagnostic : result.diagnostics) print(diagnostic);
-    if (has_errors(result.diagnostics)) throw std::runtime_error(request_.program + " has errors");
+    const auto result =
+        dry_run.run(job.program, Reachability::unchecked, take,
+                    [](const lang::Request&, const lang::Command&) {}, {.gives_up = job.gives_up});
+    for (const Diagnostic& diagnostic : result.diagnostics) job.tell(diagnostic);
+    if (has_errors(result.diagnostics)) throw std::runtime_error(job.program + " has errors");
+    if (job.gives_up()) throw std::runtime_error(job.program + " was not followed to its end");
     for (const auto& [line, feed] : kept_) forecast_.lines[line] = {{.words = "", .feed = feed}};
     return std::move(forecast_);
   }
@@ -125,6 +124,8 @@ class ForecastRun {
     const auto count = std::max<std::size_t>(1, checked_size(std::ceil(length / place_step_mm)));
     std::vector<CutPlace> cuts;
     const std::size_t first = forecast_.places.size();
+    if (first + count > request_.job.places_max)
+      throw std::runtime_error(request_.job.program + " has a longer path than is followed here");
     for (std::size_t k = 0; k < count; ++k) {
       // What the tool meets up to the end of the step.
       const double part = static_cast<double>(k + 1) / static_cast<double>(count);
@@ -210,7 +211,6 @@ class ForecastRun {
   }
 
   const ForecastRequest& request_;
-  config::MachineFile machine_;
   const config::CuttingConfig& cutting_;
   plant::Stock stock_;
   ForceModel model_;
@@ -232,4 +232,4 @@ ForceForecast forecast_forces(const ForecastRequest& request) {
   return ForecastRun(request).run();
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -5,26 +5,33 @@
 // are left alone.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
 #include <stanok_messages/setpoint_t.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "client/offline/workpiece/workpiece_output.h"
 #include "lang/contract/environment.h"
 #include "runtime/workpiece/workpiece_feed.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 class WorkpieceStream {
  public:
+  // Takes what cannot be followed: channel, code of the catalogue and text.
+  using Complaint =
+      std::function<void(int channel, const std::string& code, const std::string& text)>;
+  // Of the programs by channel and run, the program itself first.
+  using FilesOfRuns = std::map<std::pair<int, std::uint32_t>, std::vector<std::string>>;
+
   // `machine` and `texts` outlive it. `texts`: of the programs, for the names of files that they
   // include and call; nullptr: not to be had.
   WorkpieceStream(const channels::MachineConfig& machine, std::uint64_t memory_max,
-                  const lang::Files* texts = nullptr);
+                  const Complaint& complain, const lang::Files* texts = nullptr);
 
   // A message on the LCM channel of that name.
   void take(std::string_view channel_name, std::span<const std::uint8_t> bytes);
@@ -38,15 +45,15 @@ class WorkpieceStream {
   };
   [[nodiscard]] const Missing& missing() const { return missing_; }
   // Of a channel of the machine; nullptr: it has no such channel.
-  [[nodiscard]] runtime::ChannelFeed* feed(int channel);
-  // All workpieces, cut as far as the messages go.
-  [[nodiscard]] std::vector<NamedWorkpiece> workpieces();
-  [[nodiscard]] FileNames names() const;
+  [[nodiscard]] ChannelFeed* feed(int channel);
+  // Of all channels with axes.
+  [[nodiscard]] std::vector<ChannelFeed*> feeds();
+  [[nodiscard]] FilesOfRuns files() const;
 
  private:
   struct Followed {
-    std::unique_ptr<runtime::ChannelFeed> feed;
-    runtime::WorkpieceNews news;
+    std::unique_ptr<ChannelFeed> feed;
+    WorkpieceNews news;
     channels::ToolAtWork tool;
     double spindle_rev_per_min = 0.0;
     std::int64_t next_cycle = 0;                              // of its setpoints; 0: none came yet
@@ -69,4 +76,4 @@ class WorkpieceStream {
   std::string program_;  // read last for an operator or a channel, not for another program
 };
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

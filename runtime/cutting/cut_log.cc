@@ -1,4 +1,4 @@
-#include "client/offline/process/identify/cut_log.h"
+#include "runtime/cutting/cut_log.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "base/place.h"
-#include "client/offline/process/identify/power_readings.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
 #include "recording/read/log_contents.h"
+#include "runtime/cutting/power_readings.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 using recording::LogReader;
@@ -97,13 +97,13 @@ class CutSurface {
 // Takes the events of a log one after the other.
 class CutReading {
  public:
-  CutReading(const recording::LogContents& contents, int channel, int spindle,
-             const std::vector<StockStep>& stock)
-      : axes_(tool_axes(contents, channel)),
-        setpoints_(contents.setpoint_channels.at(channel)),
-        channel_(channel),
-        readings_(spindle),
-        surface_(stock) {
+  CutReading(const recording::LogContents& contents, const CutLogRequest& request)
+      : axes_(tool_axes(contents, request.channel)),
+        setpoints_(contents.setpoint_channels.at(request.channel)),
+        channel_(request.channel),
+        bounds_(request.bounds),
+        readings_(request.spindle),
+        surface_(request.stock) {
     log_.record.cycle_s = contents.description->cycle_us * 1e-6;
   }
 
@@ -129,6 +129,7 @@ class CutReading {
 
  private:
   void take_setpoint(const setpoint_t& message) {
+    bounds_.check(log_.time_s.size());
     if (first_cycle_ < 0) first_cycle_ = message.cycle;
     const double x = message.tip_position[axes_.x];
     const double z = message.tip_position[axes_.z];
@@ -144,6 +145,7 @@ class CutReading {
   ToolAxes axes_;
   std::string setpoints_;
   int channel_;
+  const ReadingBounds& bounds_;
   PowerReadings readings_;
   CutSurface surface_;
   CutLog log_;
@@ -153,21 +155,23 @@ class CutReading {
 
 }  // namespace
 
-CutLog read_cut_log(const std::filesystem::path& file, int channel, int spindle,
-                    const std::vector<StockStep>& stock) {
+CutLog read_cut_log(const std::filesystem::path& file, const CutLogRequest& request) {
   const auto contents = recording::read_contents(file);
   if (!contents) throw std::runtime_error(contents.error().text);
-  if (!contents->setpoint_channels.contains(channel) || !contents->description)
-    throw std::runtime_error("the log has no setpoints of channel " + std::to_string(channel));
+  if (!contents->setpoint_channels.contains(request.channel) || !contents->description) {
+    throw std::runtime_error("the log has no setpoints of channel " +
+                             std::to_string(request.channel));
+  }
   auto reader = LogReader::open(file);
   if (!reader) throw std::runtime_error(reader.error().text);
-  CutReading reading(*contents, channel, spindle, stock);
+  CutReading reading(*contents, request);
   while (const auto event = reader->next()) reading.take(*event);
   if (!reading.has_power()) {
-    throw std::runtime_error("the log has no power of spindle " + std::to_string(spindle + 1) +
+    throw std::runtime_error("the log has no power of spindle " +
+                             std::to_string(request.spindle + 1) +
                              "; its drive has to report it (power_w)");
   }
   return reading.end();
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,10 +1,10 @@
-#include "client/offline/process/identify/keyed_text.h"
+#include "runtime/cutting/keyed_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 // `key = value` of a line, without what stands before and behind; npos: another line.
@@ -65,4 +65,4 @@ std::string with_figures(const std::string& toml, const std::vector<KeyedFigure>
   return text;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

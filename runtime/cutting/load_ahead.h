@@ -5,7 +5,7 @@
 #include "process/milling/milling_load.h"
 #include "simulation/workpiece_follower.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 // Half the resolution of the workpiece in front of the tool (simulation/engagement.h), which goes
 // in the unit direction `direction_K`. `follower` has a workpiece; what it followed so far is cut.
@@ -15,4 +15,4 @@ namespace stanok::client {
                                               double rev_per_min,
                                               const process::CuttingProcess& cut);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -3,23 +3,24 @@
 // Of grinding the speed is that of the part, and the depth is the width of the ground surface.
 #pragma once
 
-#include <string>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "process/chatter/semi_discretisation.h"
 #include "process/chatter/stability_lobes.h"
 
-namespace stanok::client {
+namespace stanok::process {
 
 enum class LobesMethod : std::uint8_t { zeroth_order, semi_discretisation };
 
 struct LobesRequest {
-  process::CuttingProcess process;
+  CuttingProcess process;
   LobesMethod method = LobesMethod::zeroth_order;
   double speed_from = 0.0;  // rev/min
   double speed_to = 0.0;
-  int count = 0;                               // of speeds
-  std::vector<process::LobePoint> programmed;  // speed and depth of cuts that are planned
+  int count = 0;                      // of speeds
+  std::vector<LobePoint> programmed;  // speed and depth of cuts that are planned
 };
 
 // A speed and the least depth that is not stable there.
@@ -40,13 +41,15 @@ struct PlannedCut {
 };
 
 struct LobesStudy {
-  process::CutKind kind = process::CutKind::milling;
+  CutKind kind = CutKind::milling;
   std::vector<LimitAt> limits;  // by speed
   double always_mm = 0.0;       // stable at every speed of the range
   std::vector<LimitAt> best;    // the highest of each lobe, the highest first
   std::vector<PlannedCut> cuts;
 };
 
-[[nodiscard]] LobesStudy study_lobes(const LobesRequest& request);
+// `gives_up` is asked at each speed; true ends the study with those that it has come to.
+[[nodiscard]] LobesStudy study_lobes(
+    const LobesRequest& request, const std::function<bool()>& gives_up = [] { return false; });
 
-}  // namespace stanok::client
+}  // namespace stanok::process

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "process/identify/turning_fit.h"
+#include "runtime/cutting/reading_bounds.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 // The workpiece before the cut, in the frame of the program: from this z on to smaller z.
 struct StockStep {
@@ -21,8 +21,14 @@ struct CutLog {
   std::vector<double> time_s;  // of each row, from the begin of the log on
 };
 
-// `spindle`: of the machine, from 0 on. Throws std::runtime_error with what the log lacks.
-[[nodiscard]] CutLog read_cut_log(const std::filesystem::path& file, int channel, int spindle,
-                                  const std::vector<StockStep>& stock);
+struct CutLogRequest {
+  int channel = 1;
+  int spindle = 0;  // of the machine, from 0 on
+  std::vector<StockStep> stock;
+  ReadingBounds bounds{};
+};
 
-}  // namespace stanok::client
+// Throws std::runtime_error with what the log lacks.
+[[nodiscard]] CutLog read_cut_log(const std::filesystem::path& file, const CutLogRequest& request);
+
+}  // namespace stanok::runtime

@@ -1,12 +1,11 @@
-#include "client/offline/process/program_text.h"
+#include "runtime/cutting/program_text.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 bool is_letter(char c) {
@@ -28,11 +27,10 @@ std::string words_of(const std::string& line) {
 
 }  // namespace
 
-ProgramText::ProgramText(const std::string& program) {
-  std::ifstream file(program, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + program + "; check the path");
+ProgramText::ProgramText(const std::string& text) {
+  std::istringstream lines(text);
   std::string line;
-  for (std::uint32_t number = 1; std::getline(file, line); ++number) lines_[number] = line;
+  for (std::uint32_t number = 1; std::getline(lines, line); ++number) lines_[number] = line;
 }
 
 const std::string* ProgramText::line(std::uint32_t number) const {
@@ -76,4 +74,4 @@ bool ProgramText::has_feed_expression(const std::string& line) {
   return false;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime
