@@ -143,6 +143,7 @@ void AxisMotion::show(ChannelOutput& output) const RT_SAFE {
   output.moving = path_.state == motion::PathState::moving || manual_.is_active();
   output.feed_commanded = path_.feed_commanded;
   output.path_speed = path_.s_speed;
+  output.on_arc = path_.on_arc;
   output.point_W = path_.point;
   output.process.law = path_.process.kind;
   output.process.increments = path_.process.increments;

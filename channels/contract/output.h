@@ -204,6 +204,7 @@ struct ChannelOutput {
   FixedText<96> program;        // of the run, from its first current block on, also when it is over
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
   double path_speed = 0.0;      // mm/s
+  bool on_arc = false;          // the path is an arc or a helix here
   double feed_override = 1.0;
   ProcessOutput process;
   Workpiece workpiece;

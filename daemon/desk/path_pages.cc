@@ -69,6 +69,7 @@ json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number) {
           {"page", number},
           {"count", page.points.size()},
           {"rapid", ranges_where(page, &PathPage::Point::rapid)},
+          {"arcs", ranges_where(page, &PathPage::Point::arc)},
           {"begins", ranges_where(page, &PathPage::Point::begins)},
           {"feeds", steps_of(page, feed_of)},
           {"tools", steps_of(page, [](const PathPage::Point& point) { return point.tool; })},

@@ -399,6 +399,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.tag = segment.tag;
   out.feed_commanded =
       segment.rapid ? 0.0 : segment.feed_per_s * control.spindle_part(segment.process.rev_per_min);
+  out.on_arc = segment.geometry.kind == SegmentKind::arc;
   out.process = segment.process;
   if (!is_synchronous()) out.working_axes = working_axes(segment);
   JetPoint point_s;
@@ -415,6 +416,7 @@ void Interpolator::report_standing(const FeedControl& control, InterpolatorOutpu
     RT_SAFE {
   out.state = dwell_.is_on() ? PathState::standing : PathState::idle;
   out.tag = place_.tag();
+  out.on_arc = false;
   out.feed_commanded = dwell_.feed_commanded(control);
   out.process = place_.process();
   place_.standing(out.point, out.axes);

@@ -46,7 +46,8 @@ struct InterpolatorOutput {
   JetPoint axes{};       // machine axes M with time derivatives, through the segment's transform
   double s_speed = 0.0;  // path speed, mm/s
   double feed_commanded =
-      0.0;  // programmed feed of the segment in mm/s before override, 0 in rapid
+      0.0;              // programmed feed of the segment in mm/s before override, 0 in rapid
+  bool on_arc = false;  // the current segment is an arc or a helix
   // Axes whose travel counts as that of a working feed, bit k: channel axis k; 0 in rapid, in
   // threads and without a path.
   unsigned working_axes = 0;

@@ -59,8 +59,9 @@ PlannedPathWriter::PlannedPathWriter(std::span<const std::string> words, double 
   }
 }
 
-// A point stays where the line of the program, or between feed and rapid traverse, changes: each
-// line of the program that moves has its own. Another run or scheme has another workpiece system.
+// A point stays where the line of the program, or between feed and rapid traverse, line and arc,
+// changes: each line of the program that moves has its own. Another run or scheme has another
+// workpiece system.
 void PlannedPathWriter::add(const channels::ChannelOutput& output) {
   const bool is_same = output.run == run_ && output.scheme == scheme_;
   run_ = output.run;
@@ -83,7 +84,7 @@ void PlannedPathWriter::add(const channels::ChannelOutput& output) {
 }
 
 PlannedPathWriter::Way PlannedPathWriter::way_of(const channels::ChannelOutput& output) {
-  return {output.tag.line, output.feed_commanded <= 0.0, output.tool.number};
+  return {output.tag.line, output.feed_commanded <= 0.0, output.on_arc, output.tool.number};
 }
 
 recording::PlotPoint PlannedPathWriter::point_of(const channels::ChannelOutput& output) {
@@ -113,6 +114,7 @@ void PlannedPathWriter::put(const recording::PlotPoint& point, Joint joint) {
               .line = way_.line,
               .begins = joint == Joint::begins,
               .rapid = way_.rapid,
+              .arc = way_.arc,
               .feed_mm_per_min = static_cast<float>(feed_mm_per_min_),
               .tool = way_.tool});
 }

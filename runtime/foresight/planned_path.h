@@ -37,6 +37,7 @@ struct PathPage {
     std::uint32_t line = 0;
     bool begins = false;  // no line leads to it
     bool rapid = false;
+    bool arc = false;              // an arc or a helix leads to it
     float feed_mm_per_min = 0.0F;  // that is asked for on the way to it; 0 in rapid
     std::int32_t tool = 0;
   };
@@ -99,6 +100,7 @@ class PlannedPathWriter {
   struct Way {
     std::uint32_t line = 0;
     bool rapid = false;
+    bool arc = false;
     std::int32_t tool = 0;
 
     friend bool operator==(const Way&, const Way&) = default;

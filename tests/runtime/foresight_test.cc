@@ -10,6 +10,7 @@
 #include <fstream>
 #include <future>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "runtime/foresight/thread_time.h"
@@ -183,6 +184,20 @@ TEST_F(ForesightTest, APathBeginsAnewInAnotherWorkOffset) {
   EXPECT_THAT(feeds,
               ::testing::Pointwise(::testing::DoubleNear(0.01), {1000.0, 1000.0, 500.0, 500.0}));
   EXPECT_THAT(begins, ::testing::ElementsAre(true, false, true, false));
+}
+
+// Where an arc leads is told; a corner that is rounded within a tolerance is none.
+TEST_F(ForesightTest, KnowsWhichPiecesAreArcs) {
+  write("round.nc",
+        "G21 G90 G17 G54 G64 P0.1\nG1 X20 F1000\nG1 Y20\nG2 X40 Y0 I0 J-20\nG1 X60\nM30\n");
+  foresight.look_at(1, "round.nc", now, file.machine.tables);
+  static_cast<void>(wait_for_prediction());
+  const auto page = foresight.planned_path(1)->page(0);
+  std::set<std::uint32_t> arcs;
+  std::set<std::uint32_t> lines;
+  for (const PathPage::Point& point : page->points) (point.arc ? arcs : lines).insert(point.line);
+  EXPECT_THAT(arcs, ::testing::ElementsAre(4U));
+  EXPECT_THAT(lines, ::testing::IsSupersetOf({2U, 3U, 5U}));
 }
 
 TEST_F(ForesightTest, ForgetsWhatANewProgramReplaces) {
