@@ -152,7 +152,35 @@ void draw_labels(cairo_t* cairo, const PictureLabels& labels, double scale) {
   }
 }
 
+cairo_status_t append_bytes(void* text, const unsigned char* bytes, unsigned int count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+Vector size_of(const Grid& grid) {
+  Vector size;
+  for (int k = 0; k < 3; ++k) size[k] = grid.cell[k] * grid.count[k];
+  return size;
+}
+
 }  // namespace
+
+std::string view_of_part(const Mesh& mesh, const Blank& blank, const Grid& grid, int width,
+                         int height) {
+  const Vector size = size_of(grid);
+  const Camera camera = cameras().front();
+  const Projection part = projection_of(camera, size);
+  const double scale = filled * std::min(width / part.width, height / part.height);
+  Image image = render(lit(mesh, blank), camera, grid.origin + size / 2.0, scale, width, height);
+  const Surface pixels(cairo_image_surface_create_for_data(
+                           reinterpret_cast<unsigned char*>(image.pixels.data()),
+                           CAIRO_FORMAT_ARGB32, image.width, image.height, 4 * image.width),
+                       &cairo_surface_destroy);
+  std::string bytes;
+  const cairo_status_t status =
+      cairo_surface_write_to_png_stream(pixels.get(), append_bytes, &bytes);
+  return status == CAIRO_STATUS_SUCCESS ? bytes : std::string();
+}
 
 std::string draw_part(const Mesh& mesh, const Blank& blank, const Grid& grid,
                       const PictureLabels& labels, const std::filesystem::path& file) {
@@ -164,8 +192,7 @@ std::string draw_part(const Mesh& mesh, const Blank& blank, const Grid& grid,
   cairo_paint(cairo);
   cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
 
-  Vector size;
-  for (int k = 0; k < 3; ++k) size[k] = grid.cell[k] * grid.count[k];
+  const Vector size = size_of(grid);
   const Vector centre = grid.origin + size / 2.0;
   const LitSurface surface = lit(mesh, blank, grid);
   const auto views = cameras();

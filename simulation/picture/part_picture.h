@@ -19,4 +19,9 @@ struct PictureLabels {
 [[nodiscard]] std::string draw_part(const Mesh& mesh, const Blank& blank, const Grid& grid,
                                     const PictureLabels& labels, const std::filesystem::path& file);
 
+// One view from the front, right and above, that the part fills, as the bytes of a PNG file; what
+// is no part is transparent. Empty: there is no memory for it.
+[[nodiscard]] std::string view_of_part(const Mesh& mesh, const Blank& blank, const Grid& grid,
+                                       int width, int height);
+
 }  // namespace stanok::simulation
