@@ -346,11 +346,15 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "check rights and space of the state directory; nothing was added; what was removed or moved "
      "stays so until the daemon ends",
      "give the command again"},
+    {"E9024", "nothing can be told of this cut", Reaction::warning,
+     "the text says what is missing in the log, the program, the machine file or the file of the "
+     "tool; stanok process reads longer logs and programs",
+     "give the command again"},
     {"E9101", "the control file of a grinding cycle cannot be read", Reaction::warning,
      "the text names the line and what is expected there; docs/programmer/grinding.md describes "
      "the format",
      "correct the file and give the command again"},
-    {"E9102", "a number of a grinding process is outside its range", Reaction::warning,
+    {"E9102", "a number of a process file is outside its range", Reaction::warning,
      "the text gives the range; most often the unit is wrong",
      "correct the number and give the command again"},
     {"E9103", "the infeed burns the part", Reaction::warning,

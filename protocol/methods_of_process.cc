@@ -109,12 +109,191 @@ constexpr Parameter from{.name = "from",
 constexpr Parameter grinding_file =
     required_text("program", "process file (.toml) or control file beneath the program root");
 
+constexpr Parameter cut_file =
+    required_text("program", "file of cut, tool and vibrations (.toml) beneath the program root");
+
+constexpr Parameter named_speed(std::string_view name, std::string_view help) {
+  return {.name = name,
+          .type = ParameterType::number,
+          .unit = "rev/min",
+          .minimum = 1,
+          .maximum = 1e6,
+          .help = help};
+}
+
+constexpr Parameter named_length(std::string_view name, double maximum, std::string_view help) {
+  return {.name = name,
+          .type = ParameterType::number,
+          .unit = "mm",
+          .minimum = 1e-4,
+          .maximum = maximum,
+          .help = help};
+}
+
+constexpr Parameter named_part(std::string_view name, double minimum, double maximum,
+                               std::string_view help) {
+  return {.name = name,
+          .type = ParameterType::number,
+          .minimum = minimum,
+          .maximum = maximum,
+          .help = help};
+}
+
+constexpr Parameter speeds_count{.name = "count",
+                                 .type = ParameterType::integer,
+                                 .minimum = 2,
+                                 .maximum = 1200,
+                                 .help = "speeds in the range; default 400"};
+
+constexpr auto lobes_methods =
+    std::to_array<std::string_view>({"zeroth-order", "semi-discretisation"});
+
+constexpr Parameter lobes_method{
+    .name = "method",
+    .type = ParameterType::choice,
+    .choices = lobes_methods,
+    .help =
+        "zeroth-order (default): the mean over a tooth; semi-discretisation: each tooth, for "
+        "small widths of cut"};
+
+constexpr auto log_kinds = std::to_array<std::string_view>({"turning", "milling", "grinding"});
+
+constexpr Parameter log_kind{.name = "kind",
+                             .type = ParameterType::choice,
+                             .choices = log_kinds,
+                             .help = "what the log is of; default turning"};
+
+constexpr Parameter stock{.name = "stock",
+                          .minimum = 1,
+                          .maximum = 1000,
+                          .help =
+                              "turning: the bar before the cut in the frame of the program, as "
+                              "0:32,-20:33: from this Z on this radius, mm"};
+
+constexpr Parameter sheet{
+    .name = "program",
+    .minimum = 1,
+    .maximum = text_bytes_max,
+    .help =
+        "beneath the program root; milling: tool and material (.toml); grinding: "
+        "process file (.toml)"};
+
+constexpr Parameter spindle_of_cut{.name = "spindle",
+                                   .type = ParameterType::integer,
+                                   .minimum = 1,
+                                   .maximum = 16,
+                                   .help =
+                                       "spindle of the machine, from 1 on; grinding: that of "
+                                       "the wheel; default 1"};
+
+constexpr Parameter coefficient{.name = "coefficient",
+                                .type = ParameterType::number,
+                                .unit = "N",
+                                .minimum = 1,
+                                .maximum = 1e6,
+                                .help =
+                                    "turning: C of the material, where it is known: tells the "
+                                    "efficiency"};
+
+constexpr Parameter touch{.name = "touch",
+                          .type = ParameterType::number,
+                          .unit = "mm",
+                          .minimum = -1e4,
+                          .maximum = 1e4,
+                          .help =
+                              "grinding: X of the program at which the wheel touches; default: "
+                              "the allowance"};
+
+constexpr Parameter wheel_speed{.name = "wheel_speed",
+                                .type = ParameterType::number,
+                                .unit = "m/s",
+                                .minimum = 1,
+                                .maximum = 200,
+                                .help = "grinding: surface speed of the wheel; default 35"};
+
+constexpr Parameter force_kept{.name = "force",
+                               .type = ParameterType::number,
+                               .unit = "N",
+                               .minimum = 1e-3,
+                               .maximum = 1e6,
+                               .help =
+                                   "cutting force to be kept; without it the forces as "
+                                   "programmed are told"};
+
+constexpr Parameter stiffness{.name = "stiffness",
+                              .type = ParameterType::number,
+                              .unit = "N/um",
+                              .minimum = 1e-3,
+                              .maximum = 1e6,
+                              .help =
+                                  "turning: of tool and part across the cut; tells the "
+                                  "deflection"};
+
+constexpr Parameter tool_of_cut{.name = "tool",
+                                .type = ParameterType::integer,
+                                .minimum = 1,
+                                .maximum = 1e6,
+                                .help = "milling: whose cuts are looked at; default: all"};
+
+constexpr Parameter milling_tool{.name = "cut",
+                                 .minimum = 1,
+                                 .maximum = text_bytes_max,
+                                 .help =
+                                     "of a milling program: tool and material (.toml) beneath "
+                                     "the program root; without it the program is a turning "
+                                     "one"};
+
+constexpr std::array of_stability{
+    cut_file,
+    named_speed("from", "least speed; default 1000"),
+    named_speed("to", "greatest speed; default 20000"),
+    speeds_count,
+    lobes_method,
+    named_speed("speed", "of a planned cut, which is judged"),
+    named_length("depth", 1e4, "of the planned cut; grinding: its width")};
+constexpr std::array of_figures{
+    required_text("file", "log, as history.logs lists them"),
+    log_kind,
+    stock,
+    sheet,
+    channel,
+    spindle_of_cut,
+    coefficient,
+    touch,
+    named_part("force_ratio", 0.05, 2.0,
+               "grinding: tangential over normal force of the wheel; default 0.4"),
+    wheel_speed,
+    tool_of_cut,
+    named_part("efficiency", 0.1, 1.0,
+               "grinding: of the wheel's drive, default 0.85; milling: makes forces of the cut of "
+               "those that "
+               "the drive saw, default 1")};
+constexpr std::array of_forces{
+    required_text("program", "part program beneath the program root"),
+    milling_tool,
+    tool_of_cut,
+    named_length("step", 100.0,
+                 "milling: between two places that are looked at; default: twice the "
+                 "resolution of the workpiece"),
+    force_kept,
+    named_length("feed_min", 1e3, "least feed, a turn; default: a twentieth of the programmed one"),
+    named_length("feed_max", 1e3, "greatest feed, a turn; default: the programmed one"),
+    stiffness,
+    channel};
 constexpr std::array of_grinding{grinding_file};
 constexpr std::array of_interruption{dwell_path, real_path, channel};
 constexpr std::array of_automatic_law{automatic_law, on_or_off, channel};
 constexpr std::array of_force_control{force_action, force_quantity, force_value, channel};
 constexpr std::array of_allowance{allowance};
-constexpr std::array of_surface{channel, workpiece, since, from};
+constexpr Parameter reference{.name = "reference",
+                              .minimum = 1,
+                              .maximum = text_bytes_max,
+                              .help =
+                                  "STL file beneath the program root, in the workpiece system "
+                                  "of the announcement: the numbers of corners are how far they "
+                                  "are off it, Int32 in 0.1 um, above 0 outside, instead of "
+                                  "tools"};
+constexpr std::array of_surface{channel, workpiece, since, from, reference};
 
 constexpr auto process_rows = std::to_array<Method>({
     {.name = "process.status",
@@ -157,6 +336,37 @@ constexpr auto process_rows = std::to_array<Method>({
       "residual_um?":"number","roundness_um?":"number","force_max_n?":"number",
       "spark_out_rev?":"number","boundary?":[["number"]],"law?":[["number"]],
       "samples?":[["number"]]})"},
+    {.name = "process.stability",
+     .course = Course::reads_program,
+     .parameters = of_stability,
+     .help =
+         "stability lobes, as `stanok process lobes`: depths up to which a cut does not chatter; "
+         "limits are speed rev/min, depth mm (null: any), chatter Hz (0: not known)",
+     .result = R"({"program":"string","kind":"string","always_stable_mm":"number?",
+      "limits":[["any"]],"best":[{"speed_rev_per_min":"number","depth_mm":"number?",
+      "chatter_hz":"number"}],"cuts":[{"speed_rev_per_min":"number","depth_mm":"number",
+      "limit_mm":"number?","stable":"boolean","better_speed_rev_per_min":"number?"}]})"},
+    {.name = "process.figures",
+     .course = Course::reads_program,
+     .parameters = of_figures,
+     .help = "figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; "
+             "power is time s, as recorded W, as fitted W; text is what to write into a file",
+     .result = R"({"file":"string","kind":"string","figures":[{"name":"string",
+      "value":"number","low":"number","high":"number"}],"noise":"number","residual_w":"number",
+      "readings":"integer","power":[["number"]],"text":"string"})"},
+    {.name = "process.forces",
+     .course = Course::reads_program,
+     .parameters = of_forces,
+     .help =
+         "forces along a program, and feeds that hold one, as `stanok process optimise`; places "
+         "are path mm, force as programmed N, as planned N, feed as programmed mm/min, as planned, "
+         "power W, depth mm or area mm2, deflection um; text is the program with the feeds",
+     .result = R"({"program":"string","kind":"string","blocks":"integer",
+      "force_programmed_max_n":"number","force_max_n":"number","power_max_w":"number",
+      "deflection_max_um":"number","time_programmed_s":"number","time_s":"number",
+      "places":[["number"]],"text":"string?"})"},
+    {.name = "process.cancel",
+     .help = "end what this connection has calculated of the process, which answers E9017"},
 
     {.name = "workpiece.status",
      .help = "whether announcements of workpieces are published, and the latest of every channel",

@@ -134,8 +134,12 @@ constexpr auto program_rows = std::to_array<Method>({
      .parameters = of_skip,
      .help = "execute the blocks of a level again"},
     {.name = "program.list",
-     .help = "program files beneath the program root",
-     .result = R"({"root":"string","programs":[{"name":"string","bytes":"integer"}],
+     .help =
+         "program files beneath the program root, with the times (Unix) of their last change, and "
+         "of the last check and run since the daemon started",
+     .result = R"({"root":"string","programs":[{"name":"string","bytes":"integer",
+      "changed_s":"number","checked_s":"number?","check_ok":"boolean?","ran_s":"number?",
+      "run_ok":"boolean?"}],
       "complete":"boolean"})"},
     {.name = "program.history",
      .parameters = of_channel,

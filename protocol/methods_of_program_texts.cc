@@ -107,6 +107,16 @@ constexpr auto text_rows = std::to_array<Method>({
       "diagnostics":[{"code":"string","severity":"string","file":"string","line":"integer",
        "column":"integer","end_line":"integer","end_column":"integer","message":"string",
        "label":"string","notes":["any"],"help":["string"],"stack":["string"]}]})"},
+    {.name = "program.picture",
+     .course = Course::reads_program,
+     .parameters = of_estimate,
+     .help =
+         "the virtual workpiece as the program leaves it, run on a virtual clock: `picture` is a "
+         "PNG in base64, seen from the front, right and above; null: the program announces no "
+         "blank. A check of this connection ends it",
+     .result = R"({"program":"string","ok":"boolean","complete":"boolean","time_s":"number",
+      "picture":"string?","removed_mm3":"number?","blank_mm3":"number?","findings":"integer?",
+      "alarm":"$alarm?"})"},
     {.name = "program.estimate",
      .course = Course::reads_program,
      .parameters = of_estimate,

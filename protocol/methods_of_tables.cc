@@ -98,6 +98,11 @@ constexpr auto tables_rows = std::to_array<Method>({
     {.name = "tool.save",
      .help = "print tools and work offsets as a text that tool load takes",
      .result = R"({"tables":"string"})"},
+    {.name = "tool.history",
+     .help = "changes of tools and work offsets since the daemon started, the newest 500, the "
+             "newest first: by an operator, or by the program that ran last",
+     .result = R"({"changes":[{"time_s":"number","by":"string","what":"string","from":"number",
+      "to":"number"}]})"},
 
     {.name = "offset.list",
      .help = "work offsets",

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "daemon/desk/unix_time.h"
 #include "daemon/report/search_report.h"
 
 namespace stanok::daemon {
@@ -161,6 +162,7 @@ void CommandDesk::await_run(int channel, Answer answer) {
 }
 
 void CommandDesk::tick(SteadyTime now) {
+  if (tables_.look(unix_time_s())) tables_have_changed_ = true;
   look_again();
   if (!awaited_.empty()) answer_ended_runs();
   watch_cycle(now);

@@ -16,6 +16,7 @@
 #include "base/expected.h"
 #include "channels/contract/operator_event.h"
 #include "daemon/cycle/running_machine.h"
+#include "daemon/desk/table_watch.h"
 #include "daemon/report/channel_notes.h"
 #include "protocol/failure.h"
 
@@ -39,6 +40,7 @@ class CommandDesk {
   void tick(SteadyTime now);
   // For a command that another desk has had accepted.
   void note_acceptance(const channels::OperatorEvent& event);
+  [[nodiscard]] TableWatch& tables() { return tables_; }
   // Of all that is accepted, once.
   void watch(std::function<void(const channels::OperatorEvent&)> on_accepted) {
     on_accepted_ = std::move(on_accepted);
@@ -75,6 +77,7 @@ class CommandDesk {
   std::uint64_t last_id_ = 0;
   std::map<std::uint64_t, Pending> pending_;
   std::vector<AwaitedRun> awaited_;
+  TableWatch tables_{machine_};
   bool tables_have_changed_ = false;
   std::int64_t newest_cycle_ = -1;
   SteadyTime newest_cycle_seen_{};

@@ -7,6 +7,7 @@
 
 #include "daemon/desk/operator_command.h"
 #include "daemon/desk/table_loading.h"
+#include "daemon/desk/unix_time.h"
 #include "daemon/report/drive_report.h"
 #include "daemon/report/inventory.h"
 #include "daemon/scope/scope_desk.h"
@@ -107,6 +108,33 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
       {"process.grinding",
        [](Dispatch& d, Call call) {
          d.programs_.grinding(call.session.id, call.parameters, std::move(call.answer));
+       }},
+      {"tool.history", [](Dispatch& d, const json&) { return d.desk_.tables().history(); }},
+      {"program.picture",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.programs_.picture(call.session.id, call.parameters, channel, std::move(call.answer));
+       }},
+      {"process.stability",
+       [](Dispatch& d, Call call) {
+         d.programs_.process().stability(call.session.id, call.parameters, std::move(call.answer));
+       }},
+      {"process.figures",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.programs_.process().figures(call.session.id, call.parameters, channel,
+                                       std::move(call.answer));
+       }},
+      {"process.forces",
+       [](Dispatch& d, Call call) {
+         const int channel = d.channel_or_first(call.parameters);
+         d.programs_.process().forces(call.session.id, call.parameters, channel,
+                                      std::move(call.answer));
+       }},
+      {"process.cancel",
+       [](Dispatch& d, const Call& call) -> CommandResult {
+         d.programs_.process().cancel(call.session.id);
+         return json{{"accepted", true}};
        }},
       {"program.check_cancel",
        [](Dispatch& d, const Call& call) -> CommandResult {
@@ -308,7 +336,7 @@ void Dispatch::load_tables(Call call) {
     return log_and_answer(Unexpected<Failure>(*obstacle));
   auto commands = commands_to_load(machine_, call.parameters["tables"].get<std::string>(), name);
   if (!commands) return log_and_answer(Unexpected<Failure>(commands.error()));
-  submit_one_by_one(desk_, std::move(*commands), log_and_answer);
+  submit_one_by_one(desk_, std::move(*commands), noted(call.session, log_and_answer));
 }
 
 // An answer that leaves an entry in the log, with `shown` for the parameters: texts are long.
@@ -368,7 +396,17 @@ void Dispatch::command(const Call& call) {
     return log_and_answer(Unexpected<Failure>(*obstacle));
   const bool waits = call.method.effect == protocol::Effect::begins_motion &&
                      call.parameters.value("wait", "accepted") == "done";
-  desk_.submit(*event, waits ? WaitFor::end_of_run : WaitFor::accepted, log_and_answer);
+  Answer answer = log_and_answer;
+  if (protocol::noun(call.method) == "tool" || protocol::noun(call.method) == "offset")
+    answer = noted(call.session, std::move(answer));
+  desk_.submit(*event, waits ? WaitFor::end_of_run : WaitFor::accepted, std::move(answer));
+}
+
+Answer Dispatch::noted(const SessionState& session, Answer answer) {
+  return [this, by = session.peer, answer = std::move(answer)](const CommandResult& outcome) {
+    if (outcome) desk_.tables().note(by, unix_time_s());
+    answer(outcome);
+  };
 }
 
 // Drives are reset and made to fail beside the cycle: what they then report enters it as feedback.

@@ -98,6 +98,8 @@ class Dispatch {
   [[nodiscard]] static const std::map<std::string_view, Handler>& handlers();
 
   void command(const Call& call);
+  // An answer that notes what has changed of the tables, where it is no refusal.
+  [[nodiscard]] Answer noted(const SessionState& session, Answer answer);
   void note_control();
   void control_channel(Call call);
   void tell_control();

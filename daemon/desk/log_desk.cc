@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/place.h"
+#include "daemon/desk/log_folder.h"
 #include "protocol/geometry_bytes.h"
 #include "recording/read/log_contents.h"
 #include "recording/read/setpoint_walk.h"
@@ -16,20 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using protocol::Failure;
-using protocol::FailureKind;
 
-constexpr auto* log_ending = ".lcm";
-// What a repeated run wants of memory is a few times that; the machine beside it must not want for
-// any.
-constexpr std::uintmax_t verified_bytes_max = 64U << 20;
 constexpr float standing_mm = 0.005F;
 
 // The client has gone, or wants something else.
 struct NoLongerWanted {};
-
-Unexpected<Failure> unreadable_log(const std::string& reason) {
-  return Unexpected<Failure>(Failure{FailureKind::refused, "E9021", reason, 0, {}});
-}
 
 double unix_time_of(const fs::directory_entry& entry) {
   std::error_code error;
@@ -53,14 +45,6 @@ json log_list(const fs::path& folder, const fs::path& open) {
   return {{"folder", folder.string()}, {"logs", std::move(logs)}};
 }
 
-// A name in the folder of the logs; nothing else has one.
-Expected<fs::path, Failure> log_named(const RecordingStatus& status, const std::string& name) {
-  const fs::path plain(name);
-  if (plain.filename() != plain || plain.extension() != log_ending)
-    return unreadable_log(name + ": no name of a log; history.logs lists them");
-  return status.log_directory / plain;
-}
-
 json difference_json(const runtime::ReplayResult& result) {
   if (!result.difference) return nullptr;
   const auto& difference = *result.difference;
@@ -70,12 +54,7 @@ json difference_json(const runtime::ReplayResult& result) {
 }
 
 CommandResult verified(const fs::path& log, const std::stop_token& stop) {
-  std::error_code error_of_size;
-  const std::uintmax_t bytes = fs::file_size(log, error_of_size);
-  if (!error_of_size && bytes > verified_bytes_max) {
-    return unreadable_log(log.filename().string() + " has " + std::to_string(bytes >> 20U) +
-                          " MiB; up to 64 are verified beside the machine");
-  }
+  if (const auto failure = too_large(log)) return Unexpected<Failure>(*failure);
   try {
     const auto result = runtime::replay(log, [&](double) {
       if (stop.stop_requested()) throw NoLongerWanted{};

@@ -4,11 +4,13 @@
 #include <chrono>
 
 #include "base/utf8.h"
+#include "daemon/desk/as_it_stands.h"
+#include "daemon/desk/part_report.h"
 #include "daemon/desk/path_pages.h"
+#include "daemon/desk/unix_time.h"
 #include "daemon/report/inventory.h"
 #include "daemon/report/status_report.h"
 #include "protocol/diagnostic_json.h"
-#include "runtime/axis_positions.h"
 #include "runtime/dry_run.h"
 #include "runtime/foresight/thread_time.h"
 #include "runtime/overlaid_files.h"
@@ -64,8 +66,6 @@ json check_answer(const std::string& program, const runtime::DryRunResult& resul
           {"diagnostics", std::move(diagnostics)}};
 }
 
-constexpr double estimate_time_max_s = 48.0 * 3600.0;
-
 json run_json(const channels::RunReport& run, double cycle_s) {
   return {{"channel", run.channel},
           {"program", run.program},
@@ -102,7 +102,7 @@ CommandResult estimate_of(const runtime::SimulationOptions& options, const std::
 
 }  // namespace
 
-ProgramDesk::ProgramDesk(RunningMachine& machine) : machine_(machine) {}
+ProgramDesk::ProgramDesk(RunningMachine& machine) : machine_(machine), process_(machine) {}
 
 ProgramFolder ProgramDesk::folder() const {
   return {machine_.program_root(), runtime::program_format(machine_.file().machine)};
@@ -114,7 +114,13 @@ void ProgramDesk::list(int session, Answer answer) {
       [root = machine_.program_root()](const std::stop_token&) -> CommandResult {
         return program_list(root);
       },
-      std::move(answer));
+      [this, answer = std::move(answer)](const CommandResult& outcome) {
+        if (!outcome) return answer(outcome);
+        json list = *outcome;
+        times_.add_to(list["programs"], machine_.runs(), machine_.newest_output().cycle,
+                      unix_time_s(), machine_.file().machine.cycle_us * 1e-6);
+        answer(list);
+      });
 }
 
 void ProgramDesk::read(int session, const json& parameters, Answer answer) {
@@ -183,6 +189,7 @@ void ProgramDesk::check(int session, const json& parameters, int channel, Answer
   const auto text = parameters.find("text");
   std::optional<std::string> unsaved;
   if (text != parameters.end()) unsaved = text->get<std::string>();
+  const bool is_saved = !unsaved;
   checks_.cancel(session);
   checks_.submit(
       session,
@@ -197,23 +204,21 @@ void ProgramDesk::check(int session, const json& parameters, int channel, Answer
         found["version"] = checked ? json(version_of((*checked)->text)) : json(nullptr);
         return found;
       },
-      std::move(answer));
+      [this, name, is_saved, answer = std::move(answer)](const CommandResult& outcome) {
+        if (outcome && is_saved) {
+          using Verdict = ProgramTimes::Verdict;
+          const bool ok = (*outcome)["ok"].get<bool>();
+          times_.note_check(name, ok ? Verdict::faultless : Verdict::faulty, unix_time_s());
+        }
+        answer(outcome);
+      });
 }
 
 // The machine as it stands, with ideal drives, on a virtual clock; given up like a foresight.
 void ProgramDesk::estimate(int session, const json& parameters, int channel, Answer answer) {
-  const auto output = machine_.newest_output();
-  runtime::SimulationOptions options;
-  options.file = machine_.file();
-  options.file.machine.tables = machine_.tables();
-  const auto places = runtime::positions_of_axes(options.file.machine, output);
-  for (std::size_t k = 0; k < places.size(); ++k) options.file.machine.axes[k].start = places[k];
-  for (const channels::ChannelOutput& one : output.of_channels()) {
-    if (one.scheme != 0) options.schemes.emplace_back(one.id, one.scheme);
-  }
-  options.program_roots = machine_.program_roots();
+  runtime::SimulationOptions options = simulation_as_it_stands(machine_);
   options.programs = {{channel, program_of(parameters)}};
-  options.until_s = estimate_time_max_s;
+  options.until_s = time_ahead_max_s;
   checks_.cancel(session);
   checks_.submit(
       session,
@@ -223,6 +228,14 @@ void ProgramDesk::estimate(int session, const json& parameters, int channel, Ans
       std::move(answer));
 }
 
+void ProgramDesk::picture(int session, const json& parameters, int channel, Answer answer) {
+  runtime::SimulationOptions options = simulation_as_it_stands(machine_);
+  options.programs = {{channel, program_of(parameters)}};
+  options.until_s = time_ahead_max_s;
+  checks_.cancel(session);
+  checks_.submit(session, part_after(std::move(options)), std::move(answer));
+}
+
 CommandResult ProgramDesk::path(const json& parameters, int channel) const {
   return path_answer(machine_.planned_path(channel).get(), channel, parameters);
 }
@@ -230,12 +243,14 @@ CommandResult ProgramDesk::path(const json& parameters, int channel) const {
 void ProgramDesk::tick() {
   files_.tick();
   checks_.tick();
+  process_.tick();
 }
 
 void ProgramDesk::forget(int session) {
   uploads_.erase(session);
   files_.cancel(session);
   checks_.cancel(session);
+  process_.forget(session);
 }
 
 }  // namespace stanok::daemon

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "daemon/desk/background_work.h"
+#include "daemon/desk/process/process_desk.h"
 #include "daemon/desk/program_folder.h"
+#include "daemon/desk/program_times.h"
 
 namespace stanok::daemon {
 
@@ -28,8 +30,12 @@ class ProgramDesk {
   void remove(int session, const nlohmann::json& parameters, Answer answer);
   void check(int session, const nlohmann::json& parameters, int channel, Answer answer);
   void estimate(int session, const nlohmann::json& parameters, int channel, Answer answer);
+  // The virtual workpiece as the program leaves it, as a picture.
+  void picture(int session, const nlohmann::json& parameters, int channel, Answer answer);
   // The cycle that a process file or a control file of plunge grinding gives.
   void grinding(int session, const nlohmann::json& parameters, Answer answer);
+  // What else is calculated from files beneath the root, and from logs.
+  [[nodiscard]] ProcessDesk& process() { return process_; }
   void cancel_check(int session) { checks_.cancel(session); }
   [[nodiscard]] CommandResult path(const nlohmann::json& parameters, int channel) const;
 
@@ -48,6 +54,8 @@ class ProgramDesk {
 
   RunningMachine& machine_;
   std::map<int, Upload> uploads_;  // by session
+  ProgramTimes times_;
+  ProcessDesk process_;
   BackgroundWork files_{BackgroundWork::Urgency::usual};
   BackgroundWork checks_{BackgroundWork::Urgency::idle};
 };

@@ -1,23 +1,42 @@
 #include "daemon/desk/surface_desk.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "daemon/desk/process/process_answers.h"
+#include "daemon/desk/program_folder.h"
 #include "protocol/geometry_bytes.h"
 
 namespace stanok::daemon {
 namespace {
 
 using nlohmann::json;
+using protocol::Failure;
 using runtime::SurfacePage;
 using runtime::SurfaceRequest;
+using simulation::ReferenceSurface;
 
-std::string base64_of(const SurfacePage& page) {
+// In steps of 0.1 um, two's complement.
+std::uint32_t deviation_of(const ReferenceSurface& reference, const SurfacePage::Corner& corner) {
+  constexpr double steps_per_mm = 1e4;
+  constexpr double steps_max = 2e9;
+  const auto& [x, y, z] = corner.place_mm;
+  const double steps = std::round(steps_per_mm * reference.deviation({x, y, z}));
+  return static_cast<std::uint32_t>(
+      static_cast<std::int32_t>(std::clamp(steps, -steps_max, steps_max)));
+}
+
+std::string base64_of(const SurfacePage& page, const ReferenceSurface* reference) {
   protocol::GeometryBytes bytes;
   bytes.reserve(page.corners.size());
-  for (const SurfacePage::Corner& corner : page.corners)
-    bytes.add(corner.place_mm, static_cast<std::uint32_t>(corner.tool));
+  for (const SurfacePage::Corner& corner : page.corners) {
+    bytes.add(corner.place_mm, reference == nullptr ? static_cast<std::uint32_t>(corner.tool)
+                                                    : deviation_of(*reference, corner));
+  }
   return bytes.base64();
 }
 
-json geometry_of(const SurfacePage& page, std::size_t number) {
+json geometry_of(const SurfacePage& page, std::size_t number, const ReferenceSurface* reference) {
   json bricks = json::array();
   for (const SurfacePage::Brick& brick : page.bricks)
     bricks.push_back({brick.number, brick.first, brick.behind});
@@ -26,7 +45,7 @@ json geometry_of(const SurfacePage& page, std::size_t number) {
           {"page", number},
           {"count", page.corners.size()},
           {"bricks", std::move(bricks)},
-          {"base64", base64_of(page)}};
+          {"base64", base64_of(page, reference)}};
 }
 
 // A kind that nobody knows is no blank: it has been refused.
@@ -40,7 +59,7 @@ json numbers(const simulation::Vector& vector) {
 }
 
 json surface_answer(int channel, const SurfaceRequest& request,
-                    const std::optional<SurfacePage>& page) {
+                    const std::optional<SurfacePage>& page, const ReferenceSurface* reference) {
   if (!page) {
     return {{"channel", channel}, {"workpiece", nullptr}, {"version", 0},       {"next", nullptr},
             {"blank", nullptr},   {"cycles_left_out", 0}, {"geometry", nullptr}};
@@ -56,7 +75,7 @@ json surface_answer(int channel, const SurfaceRequest& request,
             {"zero", numbers(blank.zero)},
             {"resolution", blank.resolution}}},
           {"cycles_left_out", page->cycles_left_out},
-          {"geometry", geometry_of(*page, request.from)}};
+          {"geometry", geometry_of(*page, request.from, reference)}};
 }
 
 }  // namespace
@@ -65,10 +84,25 @@ void SurfaceDesk::surface(int session, const json& parameters, int channel, Answ
   const SurfaceRequest request{.workpiece = parameters.value("workpiece", std::uint32_t{0}),
                                .since = parameters.value("since", std::uint32_t{0}),
                                .from = parameters.value("from", std::size_t{0})};
-  const auto work = [live = machine_.live_workpieces(), request,
-                     channel](const std::stop_token&) -> CommandResult {
+  const auto work = [live = machine_.live_workpieces(), request, channel, known = reference_,
+                     folder = ProgramFolder(machine_.program_root(),
+                                            runtime::program_format(machine_.file().machine)),
+                     name = parameters.value("reference", std::string())](
+                        const std::stop_token&) -> CommandResult {
+    // Who begins anew gets the file as it is now.
+    const bool begins = request.since == 0 && request.from == 0;
+    if (!name.empty() && (begins || known->program != name)) {
+      *known = {};
+      const auto file = folder.read(name);
+      if (!file) return Unexpected<Failure>(file.error());
+      auto triangles = simulation::read_stl(file->path);
+      if (!triangles) return nothing_told(triangles.error());
+      known->surface.emplace(std::move(*triangles));
+      known->program = name;
+    }
+    const ReferenceSurface* const reference = name.empty() ? nullptr : &*known->surface;
     const auto page = live == nullptr ? std::nullopt : live->page(channel, request);
-    return surface_answer(channel, request, page);
+    return surface_answer(channel, request, page, reference);
   };
   work_.submit(session, work, std::move(answer));
 }

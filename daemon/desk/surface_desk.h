@@ -4,7 +4,10 @@
 // Belongs to the operator server's thread; `tick` wants to be called often.
 #pragma once
 
+#include <memory>
+
 #include "daemon/desk/background_work.h"
+#include "simulation/reference/reference_surface.h"
 
 namespace stanok::daemon {
 
@@ -21,7 +24,15 @@ class SurfaceDesk {
   void forget(int session) { work_.cancel(session); }
 
  private:
+  // The surface that a part is to have, of the file that was named last. Of the thread that makes
+  // pages alone.
+  struct Reference {
+    std::string program;
+    std::optional<simulation::ReferenceSurface> surface;
+  };
+
   RunningMachine& machine_;
+  std::shared_ptr<Reference> reference_ = std::make_shared<Reference>();
   BackgroundWork work_{BackgroundWork::Urgency::idle};
 };
 

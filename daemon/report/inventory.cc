@@ -124,7 +124,12 @@ json log_status(RunningMachine& machine) {
 }
 
 json program_list(const fs::path& root, std::size_t files_max) {
-  std::vector<std::pair<std::string, std::uintmax_t>> files;
+  struct File {
+    std::string name;
+    std::uintmax_t bytes = 0;
+    double changed_s = 0.0;
+  };
+  std::vector<File> files;
   bool is_complete = true;
   std::error_code error;
   auto entry =
@@ -140,12 +145,16 @@ json program_list(const fs::path& root, std::size_t files_max) {
       is_complete = false;
       break;
     }
-    files.emplace_back(fs::relative(entry->path(), root, unreadable).generic_string(),
-                       entry->file_size(unreadable));
+    const auto changed = std::chrono::file_clock::to_sys(entry->last_write_time(unreadable));
+    files.push_back({fs::relative(entry->path(), root, unreadable).generic_string(),
+                     entry->file_size(unreadable),
+                     std::chrono::duration<double>(changed.time_since_epoch()).count()});
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files, {}, &File::name);
   json programs = json::array();
-  for (const auto& [name, bytes] : files) programs.push_back({{"name", name}, {"bytes", bytes}});
+  for (const File& file : files) {
+    programs.push_back({{"name", file.name}, {"bytes", file.bytes}, {"changed_s", file.changed_s}});
+  }
   return {{"root", root.string()}, {"programs", std::move(programs)}, {"complete", is_complete}};
 }
 

@@ -10,6 +10,7 @@
 #include "channels/contract/command_rules.h"
 #include "channels/contract/operator_action.h"
 #include "tests/daemon/daemon_bench.h"
+#include "tests/daemon/desk/accepted_parameters.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::daemon {
@@ -176,7 +177,7 @@ TEST_P(CommandTable, WhatOnlyLooksIsAnsweredAlways) {
     if (!method.action.empty() || method.role != protocol::Role::observer) continue;
     json parameters = json::object();
     if (method.name == "program.check" || method.name == "program.estimate") continue;  // long
-    if (method.name == "process.grinding") continue;  // of a process file
+    if (calculates(method)) continue;  // of a process file
     if (method.name == "tool.get") parameters["number"] = 1;
     if (method.name == "subscribe") parameters["topics"] = {"channels"};
     if (method.name == "session.role") parameters["role"] = "operator";

@@ -45,7 +45,7 @@ class FakeMachine final : public RunningMachine {
   // What is done with an event that was taken; called without the lock.
   std::function<void(const channels::OperatorEvent&)> on_submit;
 
-  FakeMachine() {
+  FakeMachine() : FakeMachine(two_channel_machine()) {
     tables_now.tools.resize(1);
     tables_now.tools[0].number = 32000;
     tables_now.tools[0].length = 77.5;
@@ -55,6 +55,10 @@ class FakeMachine final : public RunningMachine {
     output.channels[0].axis_count = 2;
     output.channels[0].scheme = 1;
     output.channels[1].id = 2;
+  }
+  // One that has not told of itself yet.
+  explicit FakeMachine(config::MachineFile file) : file_(std::move(file)) {
+    tables_now = file_.machine.tables;
   }
 
   // Changes the machine under the lock.
@@ -120,6 +124,7 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] RecordingStatus recording_status() override {
     RecordingStatus status;
     status.workpieces_allowed = workpieces_allowed;
+    status.log_directory = logs;
     return status;
   }
   void allow_workpieces(bool allowed) override { workpieces_allowed = allowed; }
@@ -160,6 +165,7 @@ class FakeMachine final : public RunningMachine {
   std::shared_ptr<runtime::PlannedPath> planned;
   std::vector<channels::AlarmReport> diagnostics;
   std::filesystem::path root = std::filesystem::temp_directory_path();
+  std::filesystem::path logs;
 
  private:
   template <class Value>
@@ -169,7 +175,7 @@ class FakeMachine final : public RunningMachine {
   }
 
   std::mutex mutex_;
-  config::MachineFile file_ = two_channel_machine();
+  config::MachineFile file_;
   std::vector<channels::OperatorEvent> submitted_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/method_table.h"
+#include "tests/daemon/desk/accepted_parameters.h"
 
 namespace stanok::daemon {
 
@@ -25,7 +26,7 @@ class RandomCommands {
       if (protocol::noun(method) == "machine") continue;  // comes by itself, more rarely
       // Programs that change in another thread would make runs that cannot be repeated.
       if (method.role == protocol::Role::programmer || method.name == "program.check" ||
-          method.name == "program.estimate" || method.name == "process.grinding" ||
+          method.name == "program.estimate" || calculates(method) ||
           method.name == "workpiece.surface" || method.name.starts_with("history."))
         continue;
       methods_.push_back(&method);

@@ -274,6 +274,36 @@ export interface Methods {
       version: string | null;
     };
   };
+  /** the virtual workpiece as the program leaves it, run on a virtual clock: `picture` is a PNG in base64, seen from the front, right and above; null: the program announces no blank. A check of this connection ends it */
+  "program.picture": {
+    params: {
+      program: string;
+      channel?: number;
+    };
+    result: {
+      alarm: {
+        acknowledged?: boolean;
+        channel: number;
+        code: string;
+        column: number | null;
+        cycle: number;
+        file: string | null;
+        line: number | null;
+        number: number;
+        reaction: number | null;
+        remedy: string | null;
+        text: string;
+      } | null;
+      blank_mm3: number | null;
+      complete: boolean;
+      findings: number | null;
+      ok: boolean;
+      picture: string | null;
+      program: string;
+      removed_mm3: number | null;
+      time_s: number;
+    };
+  };
   /** time and way of a program, from running it on a virtual clock with the tables, schemes and places of now, overrides at 100 %; a check of this connection ends it */
   "program.estimate": {
     params: {
@@ -452,15 +482,20 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** program files beneath the program root */
+  /** program files beneath the program root, with the times (Unix) of their last change, and of the last check and run since the daemon started */
   "program.list": {
     params: Record<string, never>;
     result: {
       complete: boolean;
-      programs: {
+      programs: ({
         bytes: number;
+        changed_s: number;
+        check_ok: boolean | null;
+        checked_s: number | null;
         name: string;
-      }[];
+        ran_s: number | null;
+        run_ok: boolean | null;
+      })[];
       root: string;
     };
   };
@@ -939,6 +974,19 @@ export interface Methods {
       tables: string;
     };
   };
+  /** changes of tools and work offsets since the daemon started, the newest 500, the newest first: by an operator, or by the program that ran last */
+  "tool.history": {
+    params: Record<string, never>;
+    result: {
+      changes: {
+        by: string;
+        from: number;
+        time_s: number;
+        to: number;
+        what: string;
+      }[];
+    };
+  };
   /** work offsets */
   "offset.list": {
     params: Record<string, never>;
@@ -1078,6 +1126,102 @@ export interface Methods {
       time_s?: number;
     };
   };
+  /** stability lobes, as `stanok process lobes`: depths up to which a cut does not chatter; limits are speed rev/min, depth mm (null: any), chatter Hz (0: not known) */
+  "process.stability": {
+    params: {
+      program: string;
+      from?: number;
+      to?: number;
+      count?: number;
+      method?: "zeroth-order" | "semi-discretisation";
+      speed?: number;
+      depth?: number;
+    };
+    result: {
+      always_stable_mm: number | null;
+      best: ({
+        chatter_hz: number;
+        depth_mm: number | null;
+        speed_rev_per_min: number;
+      })[];
+      cuts: ({
+        better_speed_rev_per_min: number | null;
+        depth_mm: number;
+        limit_mm: number | null;
+        speed_rev_per_min: number;
+        stable: boolean;
+      })[];
+      kind: string;
+      limits: unknown[][];
+      program: string;
+    };
+  };
+  /** figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; power is time s, as recorded W, as fitted W; text is what to write into a file */
+  "process.figures": {
+    params: {
+      file: string;
+      kind?: "turning" | "milling" | "grinding";
+      stock?: string;
+      program?: string;
+      channel?: number;
+      spindle?: number;
+      coefficient?: number;
+      touch?: number;
+      force_ratio?: number;
+      wheel_speed?: number;
+      tool?: number;
+      efficiency?: number;
+    };
+    result: {
+      figures: {
+        high: number;
+        low: number;
+        name: string;
+        value: number;
+      }[];
+      file: string;
+      kind: string;
+      noise: number;
+      power: number[][];
+      readings: number;
+      residual_w: number;
+      text: string;
+    };
+  };
+  /** forces along a program, and feeds that hold one, as `stanok process optimise`; places are path mm, force as programmed N, as planned N, feed as programmed mm/min, as planned, power W, depth mm or area mm2, deflection um; text is the program with the feeds */
+  "process.forces": {
+    params: {
+      program: string;
+      cut?: string;
+      tool?: number;
+      step?: number;
+      force?: number;
+      feed_min?: number;
+      feed_max?: number;
+      stiffness?: number;
+      channel?: number;
+    };
+    result: {
+      blocks: number;
+      deflection_max_um: number;
+      force_max_n: number;
+      force_programmed_max_n: number;
+      kind: string;
+      places: number[][];
+      power_max_w: number;
+      program: string;
+      text: string | null;
+      time_programmed_s: number;
+      time_s: number;
+    };
+  };
+  /** end what this connection has calculated of the process, which answers E9017 */
+  "process.cancel": {
+    params: Record<string, never>;
+    result: {
+      accepted: boolean;
+    };
+  };
   /** whether announcements of workpieces are published, and the latest of every channel */
   "workpiece.status": {
     params: Record<string, never>;
@@ -1096,6 +1240,7 @@ export interface Methods {
       workpiece?: number;
       since?: number;
       from?: number;
+      reference?: string;
     };
     result: {
       blank: unknown;
@@ -1323,6 +1468,7 @@ export const method_roles: Record<MethodName, string> = {
   "program.write": 'programmer',
   "program.remove": 'programmer',
   "program.check": 'observer',
+  "program.picture": 'observer',
   "program.estimate": 'observer',
   "program.check_cancel": 'observer',
   "program.path": 'observer',
@@ -1365,6 +1511,7 @@ export const method_roles: Record<MethodName, string> = {
   "tool.set": 'operator',
   "tool.load": 'operator',
   "tool.save": 'observer',
+  "tool.history": 'observer',
   "offset.list": 'observer',
   "offset.set": 'operator',
   mdi: 'operator',
@@ -1375,6 +1522,10 @@ export const method_roles: Record<MethodName, string> = {
   "process.automatic": 'operator',
   "process.adaptive": 'operator',
   "process.grinding": 'observer',
+  "process.stability": 'observer',
+  "process.figures": 'observer',
+  "process.forces": 'observer',
+  "process.cancel": 'observer',
   "workpiece.status": 'observer',
   "workpiece.surface": 'observer',
   "workpiece.allow": 'operator',

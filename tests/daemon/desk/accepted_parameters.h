@@ -23,6 +23,13 @@ inline nlohmann::json accepted_value(const protocol::Parameter& parameter) {
   }
 }
 
+// It takes files that a test has to give, or long.
+inline bool calculates(const protocol::Method& method) {
+  const bool is_of_process =
+      protocol::noun(method) == "process" && method.course == protocol::Course::reads_program;
+  return is_of_process || method.name == "program.picture";
+}
+
 inline nlohmann::json accepted_parameters(const protocol::Method& method) {
   nlohmann::json parameters = nlohmann::json::object();
   for (const protocol::Parameter& parameter : method.parameters) {

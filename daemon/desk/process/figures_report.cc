@@ -1,0 +1,228 @@
+// What a recorded cut tells of drive, material and machine.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "config/files/chatter_file.h"
+#include "config/files/grinding_file.h"
+#include "daemon/desk/log_folder.h"
+#include "daemon/desk/process/process_answers.h"
+#include "daemon/desk/process/process_desk.h"
+#include "runtime/cutting/cut_log.h"
+#include "runtime/cutting/found_figures.h"
+#include "runtime/cutting/grind_log.h"
+#include "runtime/cutting/milling_log.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using process::Estimate;
+using protocol::Failure;
+using runtime::StockStep;
+
+constexpr std::size_t rows_read_max = 1'000'000;  // cycles of a log, some hundred bytes each
+constexpr std::size_t stock_steps_max = 100;
+constexpr double force_ratio_usual = 0.4;  // tangential over normal force of a wheel
+constexpr double wheel_speed_usual_m_per_s = 35.0;
+constexpr double wheel_efficiency_usual = 0.85;
+
+json figure_json(const char* name, const Estimate& estimate, double factor = 1.0) {
+  return {{"name", name},
+          {"value", factor * estimate.value},
+          {"low", factor * estimate.low},
+          {"high", factor * estimate.high}};
+}
+
+// Time, power as recorded, power as fitted, of the rows with a reading.
+template <class Row>
+json power_json(const std::vector<double>& time_s, const std::vector<Row>& rows,
+                const std::vector<double>& fitted_w) {
+  std::vector<std::size_t> read;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (std::isfinite(rows[k].power_w)) read.push_back(k);
+  }
+  return thinned(read, ProcessDesk::rows_max,
+                 [&](std::size_t k) { return json{time_s[k], rows[k].power_w, fitted_w[k]}; });
+}
+
+// "0:32,-20:33": from this Z on this radius, mm, with falling Z; nothing: it is not of this form.
+std::optional<std::vector<StockStep>> stock_of(const std::string& text) {
+  std::vector<StockStep> stock;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  const auto number = [&](double& value) {
+    const auto [next, error] = std::from_chars(at, end, value);
+    const bool is_number = error == std::errc{} && std::isfinite(value);
+    at = next;
+    return is_number;
+  };
+  while (at != end && stock.size() < stock_steps_max) {
+    StockStep step;
+    if (!number(step.z_mm) || at == end || *at != ':') return std::nullopt;
+    ++at;
+    if (!number(step.radius_mm) || !(step.radius_mm > 0.0)) return std::nullopt;
+    if (!stock.empty() && !(step.z_mm < stock.back().z_mm)) return std::nullopt;
+    stock.push_back(step);
+    if (at == end) return stock;
+    if (*at != ',') return std::nullopt;
+    ++at;
+  }
+  return std::nullopt;
+}
+
+struct FiguresRequest {
+  json parameters;
+  int channel = 1;
+  fs::path log;
+  ProgramFolder folder;
+  runtime::ReadingBounds bounds{};
+
+  [[nodiscard]] int spindle() const { return parameters.value("spindle", 1) - 1; }
+};
+
+CommandResult turning(const FiguresRequest& request) {
+  const auto stock = stock_of(request.parameters.value("stock", std::string()));
+  if (!stock) {
+    return nothing_told(
+        "the stock before the cut is to be given as Z:RADIUS in mm with falling Z, as "
+        "0:32,-20:33");
+  }
+  const runtime::CutLog log = runtime::read_cut_log(request.log, {.channel = request.channel,
+                                                                  .spindle = request.spindle(),
+                                                                  .stock = *stock,
+                                                                  .bounds = request.bounds});
+  const auto fit = process::fit_turning(log.record);
+  if (!fit) return nothing_told(fit.error());
+  double rev_per_min = 0.0;
+  for (const process::CutRow& row : log.record.rows)
+    rev_per_min = std::max(rev_per_min, row.rev_per_min);
+  const double coefficient_n = request.parameters.value("coefficient", 0.0);
+  json figures = json::array({figure_json("coefficient_over_efficiency_n", fit->coefficient_n),
+                              figure_json("exponent", fit->exponent)});
+  if (coefficient_n > 0.0) {
+    figures.push_back(
+        figure_json("efficiency", runtime::quotient(coefficient_n, fit->coefficient_n)));
+  }
+  constexpr double ms_per_s = 1e3;
+  figures.push_back(figure_json("power_lag_ms", fit->lag_s, ms_per_s));
+  figures.push_back(figure_json("idle_linear_w_min", fit->idle_linear));
+  if (fit->idle_square) figures.push_back(figure_json("idle_square_w_min2", *fit->idle_square));
+  return json{{"figures", std::move(figures)},
+              {"noise", fit->noise},
+              {"residual_w", fit->residual_w},
+              {"readings", fit->readings},
+              {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
+              {"text", runtime::process_section(*fit, rev_per_min, coefficient_n)}};
+}
+
+CommandResult grinding(const FiguresRequest& request) {
+  const std::string name = request.parameters.value("program", std::string());
+  const auto file = request.folder.read(name);
+  if (!file) return Unexpected<Failure>(file.error());
+  process::DesignRequest sheet;
+  try {
+    sheet = config::read_grinding_file(file->path);
+  } catch (const config::ConfigError& error) {
+    return wrong_file(error, name);
+  }
+  const json& given = request.parameters;
+  runtime::GrindLogRequest asked{
+      .channel = request.channel,
+      .spindle = request.spindle(),
+      .allowance_mm = sheet.allowance_mm,
+      .watts_per_newton = given.value("force_ratio", force_ratio_usual) *
+                          given.value("wheel_speed", wheel_speed_usual_m_per_s) /
+                          given.value("efficiency", wheel_efficiency_usual),
+      .bounds = request.bounds};
+  if (given.contains("touch")) asked.touch_mm = given["touch"].get<double>();
+  const runtime::GrindLog log = runtime::read_grind_log(request.log, asked);
+  const auto fit = process::fit_grinding(log.record, sheet.process);
+  if (!fit) return nothing_told(fit.error());
+  constexpr double n_per_um = 1e-6;  // of N/m
+  constexpr double ms_per_s = 1e3;
+  const auto readings = std::ranges::count_if(
+      log.record.rows, [](const process::GrindRow& row) { return std::isfinite(row.power_w); });
+  return json{
+      {"figures",
+       {figure_json("stiffness_n_um", fit->stiffness_n_per_m, n_per_um),
+        figure_json("force_factor", fit->force_factor),
+        figure_json("force_exponent", fit->force_exponent), figure_json("idle_w", fit->idle_w),
+        figure_json("power_lag_ms", fit->lag_s, ms_per_s)}},
+      {"noise", fit->noise},
+      {"residual_w", fit->residual_w},
+      {"readings", readings},
+      {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
+      {"text", runtime::with_figures(file->text, *fit)}};
+}
+
+CommandResult milling(const FiguresRequest& request) {
+  const std::string name = request.parameters.value("program", std::string());
+  const auto file = request.folder.read(name);
+  if (!file) return Unexpected<Failure>(file.error());
+  runtime::MillingLogRequest asked{.channel = request.channel,
+                                   .spindle = request.spindle(),
+                                   .cut = {},
+                                   .tool = request.parameters.value("tool", 0),
+                                   .memory_max = workpiece_bytes_max,
+                                   .bounds = request.bounds};
+  try {
+    asked.cut = config::read_chatter_file(file->path);
+  } catch (const config::ConfigError& error) {
+    return wrong_file(error, name);
+  }
+  if (asked.cut.kind != process::CutKind::milling)
+    return nothing_told(name + " is not of a milling tool; give kind = \"milling\"");
+  const runtime::MillingLog log = runtime::read_milling_log(request.log, asked);
+  const auto fit = process::fit_milling(log.record);
+  if (!fit) return nothing_told(fit.error());
+  const auto forces = runtime::cut_forces(*fit, request.parameters.value("efficiency", 1.0));
+  constexpr double ms_per_s = 1e3;
+  json figures = json::array({figure_json("force_n_mm2", forces.force_n_per_mm2),
+                              figure_json("edge_force_n_mm", forces.edge_n_per_mm),
+                              figure_json("power_lag_ms", fit->lag_s, ms_per_s),
+                              figure_json("idle_linear_w_min", fit->idle_linear)});
+  if (fit->idle_square) figures.push_back(figure_json("idle_square_w_min2", *fit->idle_square));
+  return json{{"figures", std::move(figures)},
+              {"noise", fit->noise},
+              {"residual_w", fit->residual_w},
+              {"readings", fit->readings},
+              {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
+              {"text", runtime::with_figures(file->text, forces)}};
+}
+
+CommandResult told(const FiguresRequest& request) {
+  if (const auto failure = too_large(request.log)) return Unexpected<Failure>(*failure);
+  try {
+    const auto kind = request.parameters.value("kind", std::string("turning"));
+    auto answer = kind == "grinding"  ? grinding(request)
+                  : kind == "milling" ? milling(request)
+                                      : turning(request);
+    if (answer) {
+      (*answer)["file"] = request.log.filename().string();
+      (*answer)["kind"] = kind;
+    }
+    return answer;
+  } catch (const std::runtime_error& error) {
+    return nothing_told(error.what());
+  }
+}
+
+}  // namespace
+
+BackgroundWork::Work figures_from(const fs::path& log, int channel, const ProgramFolder& folder,
+                                  const json& parameters) {
+  return [request = FiguresRequest{.parameters = parameters,
+                                   .channel = channel,
+                                   .log = log,
+                                   .folder = folder}](const std::stop_token& stop) {
+    FiguresRequest bounded = request;
+    bounded.bounds = {.rows_max = rows_read_max, .gives_up = gives_up_when(stop)};
+    return told(bounded);
+  };
+}
+
+}  // namespace stanok::daemon
