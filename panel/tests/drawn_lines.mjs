@@ -3,14 +3,15 @@
 
 /**
  * Runs in the page, before its own scripts. `window.drawnLines()` are the points of the last picture's lines, two for
- * each; `window.drawnFrom()` is the matrix from their places to those before the eye.
+ * each, `window.drawnColours()` the colours of these points ("" where a line has one of its own); `window.drawnFrom()`
+ * is the matrix from their places to those before the eye.
  */
 export function listenToGraphics() {
   const kept = new WeakMap(); // buffer → its bytes
   const bound = new Map(); // target → buffer
   const arrays = new WeakMap(); // vertex array → { elements, places: by location }
   const none = { elements: null, places: new Map() };
-  let [array, program, lines, from] = [none, null, [], []];
+  let [array, program, lines, colours, from] = [none, null, [], [], []];
   const gl = WebGL2RenderingContext.prototype;
   const { ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER, LINES, UNSIGNED_INT } = gl;
 
@@ -43,15 +44,20 @@ export function listenToGraphics() {
   );
   around('vertexAttribPointer', (place) => array.places.set(place, bound.get(ARRAY_BUFFER)));
   around('useProgram', (one) => (program = one));
-  around('clear', () => (lines = []));
+  around('clear', () => ([lines, colours] = [[], []]));
   around('drawElements', function (mode, count, type, offset) {
     if (mode !== LINES || type !== UNSIGNED_INT) return;
     const place = this.getAttribLocation(program, 'position');
     from = [...this.getUniform(program, this.getUniformLocation(program, 'modelViewMatrix'))];
     const points = new Float32Array(kept.get(array.places.get(place)).buffer);
     const indices = new Uint32Array(kept.get(array.elements).buffer, offset, count);
-    for (const index of indices) lines.push([...points.subarray(3 * index, 3 * index + 3)]);
+    const coloured = kept.get(array.places.get(this.getAttribLocation(program, 'color'))) ?? [];
+    for (const index of indices) {
+      lines.push([...points.subarray(3 * index, 3 * index + 3)]);
+      colours.push(coloured.slice(3 * index, 3 * index + 3).join());
+    }
   });
   window.drawnLines = () => lines;
+  window.drawnColours = () => colours;
   window.drawnFrom = () => from;
 }

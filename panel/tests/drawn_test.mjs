@@ -181,6 +181,33 @@ function situations(name, machine, act) {
 
 situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
   test('flat', (context) => here.check(context, flat));
+  test('arcs have a colour of their own', async () => {
+    const [points, colours] = await here.page.evaluate(() => [
+      window.drawnLines(),
+      window.drawnColours(),
+    ]);
+    const circles = [
+      [20, 4],
+      [0, 15],
+    ];
+    const off = ([x, y], [across, up]) => Math.abs(Math.hypot(x - across, y - up) - 10);
+    const of = { arcs: [], others: [] };
+    for (let k = 0; k < points.length; k += 2) {
+      const ends = [points[k], points[k + 1]];
+      if (apart(...ends) < 0.3) continue;
+      const far = Math.min(...circles.map((one) => Math.max(...ends.map((end) => off(end, one)))));
+      // Where a corner is rounded within its tolerance a piece is near the circle, and no arc.
+      if (far < 0.001) of.arcs.push(colours[k + 1]);
+      else if (far > 0.02) of.others.push(colours[k + 1]);
+    }
+    assert.ok(of.arcs.length > 20, `${of.arcs.length} lines on arcs`);
+    const [arc, ...more] = new Set(of.arcs);
+    assert.deepEqual(more, []);
+    assert.match(arc, /^\d+,\d+,\d+$/);
+    assert.ok(!of.others.includes(arc), 'of arcs only');
+    // Feed and rapid.
+    assert.equal(new Set(of.others).size, 2);
+  });
   test('on a tilted plane', (context) => here.check(context, tilted));
   test('with five axes', (context) => here.check(context, fiveAxes));
   test('in colours by feed and by tool, which is remembered', async () => {
@@ -195,8 +222,9 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
       await page.evaluate(() => JSON.parse(localStorage['stanok.screen']).shading),
       'tool',
     );
-    await colours.selectOption('Feed and rapid');
+    await colours.selectOption('By kind of move');
     await legend.getByText('feed', { exact: true }).waitFor();
+    await legend.getByText('arc', { exact: true }).waitFor();
   });
   test('seen from where it was turned to, after another view', async () => {
     const { page } = here;

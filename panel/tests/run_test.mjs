@@ -84,6 +84,37 @@ test('what does not change is not asked for with every status', async () => {
   assert.ok(asked.filter((method) => method === 'kinematics.list').length <= 1, asked.join());
 });
 
+// Three passes of 10 mm across 60 mm, 3 deep; a slot of 6 mm, 8 deep, across 40 mm, of which 30 are 3 deep already.
+const removed_cm3 = (60 * 30 * 3 + 6 * 40 * 8 - 6 * 30 * 3) / 1000;
+
+test('the part that a program leaves is shown before it runs; the list says when it was checked', async () => {
+  await show('programs/plate.nc');
+  const files = page.getByRole('region', { name: 'Files' });
+  assert.equal(await files.getByText(/checked|ran/).count(), 0);
+  await page.getByRole('button', { name: 'Check', exact: true }).click();
+  await files.getByText(/checked \d\d:\d\d/).waitFor();
+  await page.getByRole('button', { name: 'Show the part' }).click();
+  const text = await page.getByText(/cm³ are cut away/).innerText({ timeout: 90_000 });
+  const [removed, blank] = (/: ([\d.]+) cm³ of ([\d.]+)/.exec(text) ?? []).slice(1).map(Number);
+  assert.equal(blank, (60 * 40 * 12) / 1000);
+  assert.ok(Math.abs(removed / removed_cm3 - 1) < 0.005, text);
+  const part = page.getByLabel('The part that plate.nc leaves');
+  await until('the picture', async () => (await part.getAttribute('data-drawn')) === '640');
+  // In its middle there is the part, in its corner there is none.
+  const alpha = await part.evaluate((canvas) => {
+    const at = (x, y) => canvas.getContext('2d').getImageData(x, y, 1, 1).data[3];
+    return [at(320, 240), at(2, 2)];
+  });
+  assert.deepEqual(alpha, [255, 0]);
+  assert.deepEqual(await findings(), []);
+  await part.scrollIntoViewIfNeeded();
+  await picture('result');
+  writeFileSync(join(stage.programs, 'plate.nc'), `${plate}\n`);
+  await show('machine');
+  await show('programs');
+  await files.getByText(/changed since the check/).waitFor();
+});
+
 test('the part is seen while it is cut, in the colours of its tools', async () => {
   await show('path');
   await run();
@@ -94,6 +125,9 @@ test('the part is seen while it is cut, in the colours of its tools', async () =
   await tools.getByText('T2').waitFor({ timeout: 60_000 });
   assert.ok(await tools.getByText('blank').isVisible());
   await until('the program is over', isOver, 90);
+  await show('programs');
+  await page.getByText(/ran \d\d:\d\d$/).waitFor();
+  await show('path');
 });
 
 test('it can be cut open and put away', async () => {
@@ -106,6 +140,76 @@ test('it can be cut open and put away', async () => {
   await until('nothing', async () => (await canvas.getAttribute('data-triangles')) === '0');
   await page.getByRole('button', { name: 'Part' }).click();
   await until('the part', async () => Number(await canvas.getAttribute('data-triangles')) > 0);
+});
+
+/** A box as a text STL file. */
+function stlOf([x0, y0, z0], [x1, y1, z1]) {
+  const at = (k) => [k & 1 ? x1 : x0, k & 2 ? y1 : y0, k & 4 ? z1 : z0];
+  // Counter-clockwise from outside.
+  const faces = ['0231', '4576', '0154', '2673', '0462', '1375'];
+  const triangles = faces.flatMap(([a, b, c, d]) => [
+    [a, b, c],
+    [a, c, d],
+  ]);
+  const facet = (corners) => corners.map((k) => `vertex ${at(Number(k)).join(' ')}`).join('\n');
+  return `solid box\n${triangles.map((one) => `facet\n${facet(one)}\nendfacet`).join('\n')}\nendsolid\n`;
+}
+const blank = { low: [0, 0, -12], high: [60, 40, 0] };
+
+test('every corner of the part knows how far it is off the reference', async () => {
+  writeFileSync(join(stage.programs, 'blank.stl'), stlOf(blank.low, blank.high));
+  let [from, workpiece, corners, farthest, deepest] = [0, 0, 0, 0, 0];
+  while (from !== null) {
+    const asked = { from, workpiece, reference: 'blank.stl' };
+    const page = await stage.client.call('workpiece.surface', asked);
+    workpiece = page.workpiece;
+    const bytes = Buffer.from(page.geometry.base64, 'base64');
+    const { count } = page.geometry;
+    for (let i = 0; i < count; ++i) {
+      const place = [0, 4, 8].map((at) => bytes.readFloatLE(12 * i + at));
+      const deviation = bytes.readInt32LE(12 * count + 4 * i) / 1e4;
+      // All of it lies in the blank: the nearest face of it.
+      const inside = place.map((x, k) => Math.max(blank.low[k] - x, x - blank.high[k]));
+      const expected = Math.max(...inside);
+      farthest = Math.max(farthest, Math.abs(deviation - expected));
+      deepest = Math.min(deepest, deviation);
+    }
+    corners += count;
+    from = page.next;
+  }
+  assert.ok(corners > 10_000, corners);
+  assert.ok(farthest < 2e-3, `${farthest} mm`);
+  // The walls of the slot pass the middle of the blank, 6 mm from its top and from its bottom.
+  assert.ok(deepest > -6 && deepest < -5.5, String(deepest));
+});
+
+test('its colours say so, with a scale in mm', async () => {
+  await show('machine');
+  await show('path');
+  const canvas = page.locator('canvas');
+  const triangles = async () => Number(await canvas.getAttribute('data-triangles'));
+  // All of it is there when it does not grow any more.
+  let whole = 0;
+  await until('the part', async () => {
+    const before = whole;
+    whole = await triangles();
+    await page.waitForTimeout(1000);
+    return whole > 0 && whole === before;
+  });
+  await page.getByLabel('Colours of the part').selectOption('Off blank.stl');
+  await page.getByLabel('Scale of deviations').selectOption('± 2 mm');
+  const scale = page.getByRole('list', { name: 'Deviation, mm' });
+  await scale.getByText('below −1.429 mm: too much cut').waitFor();
+  await scale.getByText('−0.286 to 0.286').waitFor();
+  await until('the whole part', async () => (await triangles()) === whole);
+  assert.deepEqual(await findings(), []);
+  await picture('deviation');
+  writeFileSync(join(stage.programs, 'blank.stl'), 'M30\n');
+  await page.getByLabel('Colours of the part').selectOption('By tool');
+  await page.getByLabel('Colours of the part').selectOption('Off blank.stl');
+  await page.getByText(/blank.stl: no STL file/).waitFor();
+  await page.getByLabel('Colours of the part').selectOption('By tool');
+  await until('the part', async () => (await triangles()) > 0);
 });
 
 test('a log is verified and played, forward and backward', async () => {

@@ -519,6 +519,12 @@ describe('tables', () => {
     const length = async () => (await stage.client.call('tool.get', { number: 1 })).length;
     await until('81.25', async () => (await length()) === 81.25);
     await page.getByText(/T1.1 length from/).waitFor();
+    const changes = page.getByRole('region', { name: 'Changes' });
+    const row = changes.getByRole('row', { name: /T1\.1 length/ });
+    await row.first().waitFor();
+    const cells = await row.first().getByRole('cell').allInnerTexts();
+    assert.deepEqual(cells.slice(1, 4), ['T1.1 length', before.toFixed(3), '81.250']);
+    assert.notEqual(cells[4], '', 'who it was');
     await page.getByRole('button', { name: 'Undo' }).click();
     await until('as before', async () => (await length()) === before);
     await page.context().close();

@@ -61,6 +61,7 @@ export interface Colours {
   ground: string;
   line: string;
   feed: string;
+  arc: string;
   rapid: string;
   done: string;
   tool: string;
@@ -112,7 +113,11 @@ export class PathScene {
   readonly #colourValues: PointValues;
   readonly #feeds: FeedClasses;
   #shading: Shading = 'kind';
-  readonly #colourOf = { feed: [0, 0, 0] as Colour, rapid: [0, 0, 0] as Colour };
+  readonly #colourOf: Record<'feed' | 'arc' | 'rapid', Colour> = {
+    feed: [0, 0, 0],
+    arc: [0, 0, 0],
+    rapid: [0, 0, 0],
+  };
   readonly #lines: Record<'plan' | 'done' | 'trace' | 'marked', TrackLine>;
   readonly workpiece = new WorkpieceMesh(() => this.#showWorkpiece());
   readonly #marked = new Pairs();
@@ -202,6 +207,7 @@ export class PathScene {
   colours(colours: Colours): void {
     this.#scene.background = new Color(colours.ground);
     this.#colourOf.feed = bytesOf(colours.feed);
+    this.#colourOf.arc = bytesOf(colours.arc);
     this.#colourOf.rapid = bytesOf(colours.rapid);
     this.#colours.repaint();
     this.#materials.trace.color.set(colours.feed);
@@ -241,7 +247,8 @@ export class PathScene {
     return (index) => {
       const { ways, feeds, tools } = this.planned;
       if (ways[index] === way.rapid) return this.#colourOf.rapid;
-      if (this.#shading === 'kind') return this.#colourOf.feed;
+      if (this.#shading === 'kind')
+        return ways[index] === way.arc ? this.#colourOf.arc : this.#colourOf.feed;
       const value = (this.#shading === 'feed' ? feeds : tools)[index] ?? 0;
       return colour(value, () =>
         this.#shading === 'feed' ? this.#feeds.colourOf(value) : colourOfTool(value),

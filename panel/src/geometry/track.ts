@@ -3,8 +3,8 @@
 
 const firstCapacity = 4096;
 
-/** What leads to a point: a feed move, a rapid move, or nothing (a new beginning). */
-export const way = { feed: 0, rapid: 1, none: 2 } as const;
+/** What leads to a point: a move at feed, in rapid, nothing (a new beginning), or an arc at feed. */
+export const way = { feed: 0, rapid: 1, none: 2, arc: 3 } as const;
 export type Way = (typeof way)[keyof typeof way];
 
 type Place = [x: number, y: number, z: number];
@@ -99,7 +99,8 @@ export class Track {
     const known = this.#bounded;
     for (let i = known.count; i < count; ++i) {
       include(known.all, this.points, i);
-      if (i > 0 && this.ways[i] === way.feed) include(known.feed, this.points, i);
+      const how = this.ways[i];
+      if (i > 0 && (how === way.feed || how === way.arc)) include(known.feed, this.points, i);
     }
     known.count = count;
     return known.feed.low[0] <= known.feed.high[0] ? known.feed : known.all;
@@ -138,6 +139,7 @@ type Ranges = readonly (readonly [number, number])[];
 type Steps = readonly (readonly [from: number, value: number])[];
 export interface PageWays {
   rapid?: Ranges;
+  arcs?: Ranges;
   begins?: Ranges;
   feeds?: Steps;
   tools?: Steps;
@@ -194,6 +196,7 @@ export class PagedTrack {
       if (part === undefined || ways === undefined) return this.track.count - before;
       const start = this.track.count;
       this.track.append(part.points, part.lines);
+      for (const [from, to] of ways.arcs ?? []) this.track.mark(start + from, start + to, way.arc);
       for (const [from, to] of ways.rapid ?? [])
         this.track.mark(start + from, start + to, way.rapid);
       for (const [from, to] of ways.begins ?? [])

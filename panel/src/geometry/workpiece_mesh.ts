@@ -12,6 +12,7 @@ import {
   Plane,
   Vector3,
 } from 'three';
+import type { Colour } from './point_colours';
 import { colourOfTool } from './tool_colours';
 
 export interface Section {
@@ -22,8 +23,13 @@ export interface Section {
 
 const normals = { X: [-1, 0, 0], Y: [0, 1, 0], Z: [0, 0, -1] } as const;
 
+/** Which colour a corner has, by its number: of the tool that made it, or how far it is off. */
+export type CornerPainter = (number: number) => string;
+
 export class WorkpieceMesh {
   readonly group = new Group();
+  readonly #numbers = new Map<number, Uint32Array>();
+  #painter: CornerPainter = colourOfTool;
   readonly #bricks = new Map<number, Mesh<BufferGeometry, MeshLambertMaterial>>();
   readonly #material = new MeshLambertMaterial({
     vertexColors: true,
@@ -40,15 +46,24 @@ export class WorkpieceMesh {
     return this.#triangles;
   }
 
-  set(brick: number, corners: Float32Array, tools: Uint32Array): void {
+  set(brick: number, corners: Float32Array, numbers: Uint32Array): void {
     this.#remove(brick);
-    if (tools.length > 0) this.#add(brick, corners, tools);
+    if (numbers.length > 0) this.#add(brick, corners, numbers);
     this.#cut();
     this.changed();
   }
 
   clear(): void {
     for (const brick of [...this.#bricks.keys()]) this.#remove(brick);
+    this.changed();
+  }
+
+  /** By what the surface has its colours from now on; null: by tool. */
+  paint(painter: CornerPainter | null): void {
+    this.#painter = painter ?? colourOfTool;
+    for (const [brick, mesh] of this.#bricks) {
+      mesh.geometry.setAttribute('color', this.#coloursOf(this.#numbers.get(brick)));
+    }
     this.changed();
   }
 
@@ -71,15 +86,16 @@ export class WorkpieceMesh {
     this.#material.dispose();
   }
 
-  #add(brick: number, corners: Float32Array, tools: Uint32Array): void {
+  #add(brick: number, corners: Float32Array, numbers: Uint32Array): void {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(corners, 3));
-    geometry.setAttribute('color', new BufferAttribute(coloursOf(tools), 3, true));
+    geometry.setAttribute('color', this.#coloursOf(numbers));
     geometry.computeBoundingBox();
     const mesh = new Mesh(geometry, this.#material);
     this.#bricks.set(brick, mesh);
+    this.#numbers.set(brick, numbers);
     this.group.add(mesh);
-    this.#triangles += tools.length / 3;
+    this.#triangles += numbers.length / 3;
   }
 
   #remove(brick: number): void {
@@ -89,6 +105,24 @@ export class WorkpieceMesh {
     this.group.remove(mesh);
     mesh.geometry.dispose();
     this.#bricks.delete(brick);
+    this.#numbers.delete(brick);
+  }
+
+  // A colour is read once.
+  #coloursOf(numbers: Uint32Array = new Uint32Array()): BufferAttribute {
+    const colours = new Uint8Array(numbers.length * 3);
+    const known = new Map<string, Colour>();
+    numbers.forEach((number, i) => {
+      const text = this.#painter(number);
+      let colour = known.get(text);
+      if (colour === undefined) {
+        const { r, g, b } = new Color(text);
+        colour = [r * 255, g * 255, b * 255];
+        known.set(text, colour);
+      }
+      colours.set(colour, 3 * i);
+    });
+    return new BufferAttribute(colours, 3, true);
   }
 
   // What lies on the side that looks at the usual view is left out.
@@ -104,20 +138,4 @@ export class WorkpieceMesh {
     const place = new Vector3().lerpVectors(min, max, part);
     this.#plane.setFromNormalAndCoplanarPoint(new Vector3(...normals[axis]), place);
   }
-}
-
-function coloursOf(tools: Uint32Array): Uint8Array {
-  const colours = new Uint8Array(tools.length * 3);
-  const known = new Map<number, [number, number, number]>();
-  for (let i = 0; i < tools.length; ++i) {
-    const tool = tools[i] ?? 0;
-    let colour = known.get(tool);
-    if (colour === undefined) {
-      const { r, g, b } = new Color(colourOfTool(tool));
-      colour = [r * 255, g * 255, b * 255];
-      known.set(tool, colour);
-    }
-    colours.set(colour, 3 * i);
-  }
-  return colours;
 }

@@ -8,6 +8,10 @@ export interface Curve {
   ys: Float32Array;
   colour: string;
   dashed?: boolean;
+  /** Points of their own, instead of a line through them. */
+  marks?: 'disc' | 'cross';
+  /** What lies above the line is coloured, too. */
+  above?: boolean;
 }
 
 export interface Axes {
@@ -15,6 +19,10 @@ export interface Axes {
   y: string;
   /** x falls from left to right. */
   falls: boolean;
+  /** Each power of ten of x takes as much room as another. */
+  powers?: boolean;
+  /** Where y ends; what is greater runs out of the picture. */
+  top?: number;
 }
 
 const left_px = 76;
@@ -41,11 +49,12 @@ export class CurvePicture {
     context.clearRect(0, 0, this.#width, this.#height);
     context.font = look.font;
     const [low, high] = range(curves.map((curve) => curve.xs));
-    const [, top] = range(curves.map((curve) => curve.ys));
+    const top = axes.top ?? range(curves.map((curve) => curve.ys))[1];
+    const along = axes.powers === true ? Math.log : (value: number): number => value;
     const width = this.#width - left_px - right_px;
     const height = this.#height - top_px - foot_px;
     const x = (value: number): number => {
-      const part = (value - low) / (high - low);
+      const part = (along(value) - along(low)) / (along(high) - along(low));
       return left_px + width * (axes.falls ? 1 - part : part);
     };
     // Removal, times and feeds begin at nought.
@@ -55,8 +64,12 @@ export class CurvePicture {
     context.lineWidth = 1;
     context.strokeRect(left_px, top_px, width, height);
     this.#ticks(ticks(0, top, Math.max(2, height / 45)), (value) => [left_px - 6, y(value)]);
-    const across = ticks(low, high, Math.max(2, width / 110));
-    this.#ticks(across, (value) => [x(value), this.#height - foot_px + 16], 'center');
+    const across =
+      axes.powers === true ? powerTicks(low, high) : ticks(low, high, Math.max(2, width / 110));
+    // The last one stays in the picture with all its digits.
+    const end = this.#width - 24;
+    const under = this.#height - foot_px + 16;
+    this.#ticks(across, (value) => [Math.min(x(value), end), under], 'center');
     context.textAlign = 'left';
     context.fillText(axes.y, 6, top_px / 2);
     context.textAlign = 'right';
@@ -65,7 +78,10 @@ export class CurvePicture {
     context.beginPath();
     context.rect(left_px, top_px, width, height);
     context.clip();
-    for (const curve of curves) this.#curve(curve, x, y);
+    for (const curve of curves) {
+      if (curve.marks !== undefined) this.#marks(curve, x, y);
+      else this.#curve(curve, x, y);
+    }
     context.restore();
   }
 
@@ -90,7 +106,44 @@ export class CurvePicture {
     curve.xs.forEach((value, i) => context.lineTo(x(value), y(curve.ys[i] ?? 0)));
     context.stroke();
     context.setLineDash([]);
+    if (curve.above !== true) return;
+    context.lineTo(x(curve.xs[curve.xs.length - 1] ?? 0), 0);
+    context.lineTo(x(curve.xs[0] ?? 0), 0);
+    context.globalAlpha = 0.2;
+    context.fillStyle = curve.colour;
+    context.fill();
+    context.globalAlpha = 1;
   }
+
+  #marks(curve: Curve, x: (value: number) => number, y: (value: number) => number): void {
+    const context = this.#context;
+    context.strokeStyle = context.fillStyle = curve.colour;
+    context.lineWidth = 3;
+    const size = 6;
+    curve.xs.forEach((value, i) => {
+      const [across, down] = [x(value), y(curve.ys[i] ?? 0)];
+      context.beginPath();
+      if (curve.marks === 'disc') {
+        context.arc(across, down, size, 0, 2 * Math.PI);
+        context.fill();
+        return;
+      }
+      for (const side of [-1, 1]) {
+        context.moveTo(across - size, down - side * size);
+        context.lineTo(across + size, down + side * size);
+      }
+      context.stroke();
+    });
+  }
+}
+
+/** 1, 2 and 5 of each power of ten. */
+export function powerTicks(low: number, high: number): number[] {
+  const all: number[] = [];
+  for (let power = 10 ** Math.floor(Math.log10(low)); power <= high; power *= 10) {
+    for (const one of [1, 2, 5]) all.push(one * power);
+  }
+  return all.filter((value) => value >= low && value <= high);
 }
 
 function range(all: Float32Array[]): [number, number] {

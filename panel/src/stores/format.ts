@@ -34,6 +34,15 @@ export function clock(milliseconds: number): string {
   return new Date(milliseconds).toTimeString().slice(0, 8);
 }
 
+/** A time of Unix in s: of today the time alone. */
+export function moment(time_s: number): string {
+  const [then, today] = [new Date(time_s * 1000), new Date()];
+  const time = then.toTimeString().slice(0, 5);
+  if (then.toDateString() === today.toDateString()) return time;
+  const two = (value: number): string => String(value).padStart(2, '0');
+  return `${then.getFullYear()}-${two(then.getMonth() + 1)}-${two(then.getDate())} ${time}`;
+}
+
 export function bytes(count: number): string {
   if (count < 1000) return `${count} B`;
   if (count < 1e6) return `${(count / 1e3).toFixed(1)} kB`;

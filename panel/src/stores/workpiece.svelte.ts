@@ -1,7 +1,7 @@
 // The workpiece of a channel while it is cut: triangles by bricks, of which only those that have changed
 // are asked for again. The triangles stay outside of what the framework watches.
 import { surfaceKind } from '../geometry/page_frame';
-import type { Result } from '../rpc/json_rpc';
+import { Refusal, type Result } from '../rpc/json_rpc';
 import { store } from './machine.svelte';
 import { PageFrames } from './page_frames';
 
@@ -14,9 +14,10 @@ interface Geometry {
   bricks: [number, number, number][];
 }
 
-/** Who draws: three corners make a triangle, each with the number of the tool that made it. */
+/** Who draws: three corners make a triangle, each with the number of the tool that made it, or with how
+    far it is off the reference. */
 export interface Shown {
-  set(brick: number, corners: Float32Array, tools: Uint32Array): void;
+  set(brick: number, corners: Float32Array, numbers: Uint32Array): void;
   clear(): void;
 }
 
@@ -30,18 +31,32 @@ export class WorkpieceFollower {
   workpiece = $state(0);
   /** Cycles that the daemon was too late for: the part may be behind the machine. */
   leftOut = $state(0);
+  /** Why the surface does not come: of the reference, most often. */
+  failed = $state('');
   #since = 0;
   readonly #frames = new PageFrames(surfaceKind);
 
   constructor(private readonly shown: Shown) {}
 
-  /** Looks at the channel until the function that it gives back is called. */
-  follow(channel: number): () => void {
+  /** Looks at the channel until the function that it gives back is called. `reference`: a file of the
+      surface that the part is to have; none: ''. */
+  follow(channel: number, reference = ''): () => void {
     let isOver = false;
     const stopFrames = this.#frames.listen();
     const look = async (): Promise<void> => {
       while (!isOver) {
-        if (store.live) await this.#look(channel, () => isOver).catch(() => (this.#since = 0));
+        if (store.live) {
+          await this.#look(
+            { channel, ...(reference === '' ? {} : { reference }) },
+            () => isOver,
+          ).then(
+            () => (this.failed = ''),
+            (error: unknown) => {
+              this.#since = 0;
+              this.failed = error instanceof Refusal ? error.message : '';
+            },
+          );
+        }
         await pause(period_ms);
       }
     };
@@ -54,12 +69,15 @@ export class WorkpieceFollower {
   }
 
   // All pages of what has changed; the version of the first one is known then.
-  async #look(channel: number, isOver: () => boolean): Promise<void> {
+  async #look(
+    asked: { channel: number; reference?: string },
+    isOver: () => boolean,
+  ): Promise<void> {
     let version: number | null = null;
     let from: number | null = 0;
     while (from !== null && !isOver()) {
       const known = { workpiece: this.workpiece, since: this.#since };
-      const answer: Surface = await store.call('workpiece.surface', { channel, from, ...known });
+      const answer: Surface = await store.call('workpiece.surface', { ...asked, from, ...known });
       if (answer.workpiece === null) return this.forget();
       if (answer.workpiece !== this.workpiece) {
         this.forget(answer.workpiece);

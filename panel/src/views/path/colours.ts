@@ -6,6 +6,7 @@ const tokens: Record<keyof Colours, string> = {
   ground: '--raised',
   line: '--line',
   feed: '--path-feed',
+  arc: '--path-arc',
   rapid: '--path-rapid',
   done: '--path-done',
   tool: '--attention',
