@@ -74,6 +74,9 @@ async function findings() {
 
 async function picture(name) {
   if (process.env.STANOK_WRITE_DOCS) {
+    // While things move it has fewer pixels.
+    const moving = page.locator('canvas[data-how=moving]');
+    await until('a picture that stands', async () => (await moving.count()) === 0);
     await page.screenshot({ path: join(root, `docs/operator/pictures/panel-${name}.png`) });
   }
 }
