@@ -6,6 +6,7 @@
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/program_folder.h"
 #include "protocol/geometry_bytes.h"
+#include "runtime/workpiece/stl_files.h"
 
 namespace stanok::daemon {
 namespace {
@@ -95,9 +96,11 @@ void SurfaceDesk::surface(int session, const json& parameters, int channel, Answ
       *known = {};
       const auto file = folder.read(name);
       if (!file) return Unexpected<Failure>(file.error());
-      auto triangles = simulation::read_stl(file->path);
-      if (!triangles) return nothing_told(triangles.error());
-      known->surface.emplace(std::move(*triangles));
+      const auto bytes = runtime::bytes_of_stl(file->path);
+      if (!bytes) return nothing_told(bytes.error());
+      auto surface = simulation::reference_of_stl(*bytes);
+      if (!surface) return nothing_told(name + ": " + surface.error());
+      known->surface.emplace(std::move(*surface));
       known->program = name;
     }
     const ReferenceSurface* const reference = name.empty() ? nullptr : &*known->surface;

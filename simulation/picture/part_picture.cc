@@ -171,7 +171,8 @@ std::string view_of_part(const Mesh& mesh, const Blank& blank, const Grid& grid,
   const Camera camera = cameras().front();
   const Projection part = projection_of(camera, size);
   const double scale = filled * std::min(width / part.width, height / part.height);
-  Image image = render(lit(mesh, blank), camera, grid.origin + size / 2.0, scale, width, height);
+  Image image =
+      render(lit(mesh, blank, grid), camera, grid.origin + size / 2.0, scale, width, height);
   const Surface pixels(cairo_image_surface_create_for_data(
                            reinterpret_cast<unsigned char*>(image.pixels.data()),
                            CAIRO_FORMAT_ARGB32, image.width, image.height, 4 * image.width),

@@ -15,7 +15,7 @@ constexpr std::size_t depth_max = 64;   // of a tree that is halved at each node
 constexpr float same_distance = 1e-4F;  // as a part of it: so near are triangles of one edge
 
 // C. Ericson, Real-Time Collision Detection (2005), 5.1.5: the regions of corners and edges first.
-Point nearest_point(const Corners& triangle, const Point& p) {
+Point nearest_point(const StlTriangle& triangle, const Point& p) {
   const auto& [a, b, c] = triangle;
   const Point ab = b - a;
   const Point ac = c - a;
@@ -39,13 +39,30 @@ Point nearest_point(const Corners& triangle, const Point& p) {
   return a + vb / whole * ab + vc / whole * ac;
 }
 
+// Where distances can be told, and seen from a side.
+bool is_usable(const StlTriangle& triangle) {
+  constexpr float place_max_mm = 1e5F;
+  for (const Point& corner : triangle) {
+    if (!(corner.cwiseAbs().maxCoeff() < place_max_mm)) return false;
+  }
+  return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).norm() > 0.0F;
+}
+
 }  // namespace
+
+Expected<ReferenceSurface, std::string> reference_of_stl(std::string_view bytes) {
+  auto triangles = triangles_of_stl(bytes);
+  if (!triangles) return Unexpected(triangles.error().text);
+  std::erase_if(*triangles, [](const StlTriangle& one) { return !is_usable(one); });
+  if (triangles->empty()) return Unexpected(std::string("the file has no triangle with an area"));
+  return ReferenceSurface(std::move(*triangles));
+}
 
 float ReferenceSurface::Box::squared_distance(const Point& place) const {
   return (place.cwiseMax(low).cwiseMin(high) - place).squaredNorm();
 }
 
-ReferenceSurface::ReferenceSurface(std::vector<Corners> triangles)
+ReferenceSurface::ReferenceSurface(std::vector<StlTriangle> triangles)
     : triangles_(std::move(triangles)) {
   nodes_.reserve(2 * triangles_.size() / leaf_max + 2);
   grow(0, triangles_.size());
@@ -75,16 +92,18 @@ void ReferenceSurface::grow(std::size_t first, std::size_t behind) {
   const auto at = [&](std::size_t k) {
     return triangles_.begin() + static_cast<std::ptrdiff_t>(k);
   };
-  std::nth_element(at(first), at(middle), at(behind), [axis](const Corners& a, const Corners& b) {
-    return a[0][axis] + a[1][axis] + a[2][axis] < b[0][axis] + b[1][axis] + b[2][axis];
-  });
+  std::nth_element(
+      at(first), at(middle), at(behind), [axis](const StlTriangle& a, const StlTriangle& b) {
+        return a[0][axis] + a[1][axis] + a[2][axis] < b[0][axis] + b[1][axis] + b[2][axis];
+      });
   grow(first, middle);
   nodes_[number].first = static_cast<std::uint32_t>(nodes_.size());
   nodes_[number].behind = 0;
   grow(middle, behind);
 }
 
-void ReferenceSurface::look(const Corners& triangle, const Point& place, Nearest& nearest) const {
+void ReferenceSurface::look(const StlTriangle& triangle, const Point& place,
+                            Nearest& nearest) const {
   const Point way = place - nearest_point(triangle, place);
   const float squared = way.squaredNorm();
   if (squared > nearest.squared * (1.0F + same_distance)) return;

@@ -5,16 +5,20 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "simulation/reference/stl_reader.h"
+#include "base/expected.h"
+#include "simulation/solid/stl_triangles.h"
+#include "simulation/surface_mesh.h"
 
 namespace stanok::simulation {
 
 class ReferenceSurface {
  public:
-  // At least one triangle.
-  explicit ReferenceSurface(std::vector<Corners> triangles);
+  // One at least, each with an area, within 1e5 mm.
+  explicit ReferenceSurface(std::vector<StlTriangle> triangles);
 
   // mm; above 0 outside: material is left there; below 0 inside: too much is cut away.
   [[nodiscard]] double deviation(const Mesh::Point& place) const;
@@ -38,10 +42,14 @@ class ReferenceSurface {
 
   void grow(std::size_t first, std::size_t behind);
   [[nodiscard]] Box box_of(std::size_t first, std::size_t behind) const;
-  void look(const Corners& triangle, const Mesh::Point& place, Nearest& nearest) const;
+  void look(const StlTriangle& triangle, const Mesh::Point& place, Nearest& nearest) const;
 
-  std::vector<Corners> triangles_;
+  std::vector<StlTriangle> triangles_;
   std::vector<Node> nodes_;
 };
+
+// Of the whole bytes of an STL file, closed or not, without triangles that have no area; or why
+// there is none.
+[[nodiscard]] Expected<ReferenceSurface, std::string> reference_of_stl(std::string_view bytes);
 
 }  // namespace stanok::simulation

@@ -7,19 +7,17 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
-#include <cstddef>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/expected.h"
+#include "simulation/solid/stl_triangles.h"
 
 namespace stanok::simulation {
 
 struct Solid {
-  using Corner = Eigen::Vector3f;
-  using Triangle = std::array<Corner, 3>;  // counter-clockwise from outside
+  using Corner = StlCorner;
+  using Triangle = StlTriangle;
 
   std::vector<Triangle> triangles;
   Eigen::Vector3d low = Eigen::Vector3d::Zero();  // of the box around it
@@ -27,21 +25,11 @@ struct Solid {
   double volume = 0.0;  // > 0
 };
 
-// Code of the catalogue, what is wrong, and what to do about it.
-struct StlRefusal {
-  std::string code;
-  std::string text;
-  std::string help;
-};
-
-inline constexpr std::size_t stl_triangles_max = 500'000;
-inline constexpr std::size_t stl_bytes_max = std::size_t{160} << 20;
 // How often the surface may lie over itself, on average over the box around it.
 inline constexpr double stl_layers_max = 32.0;
 
-// Of the whole bytes of a file. E7020: no STL file, or a damaged one; E7021: not closed; E7022: no
-// volume, or inside out; E7023: too large.
+// Of the whole bytes of a file. E7021: not closed; E7022: no volume, or inside out; E7020 and E7023
+// as of stl_triangles.h, E7023 also for too many layers.
 [[nodiscard]] Expected<Solid, StlRefusal> solid_of_stl(std::string_view bytes);
-[[nodiscard]] StlRefusal stl_too_large(std::size_t bytes);
 
 }  // namespace stanok::simulation

@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <random>
-
-#include "simulation/picture/stl_file.h"
-#include "tests/support/temporary_directory.h"
+#include <sstream>
 
 namespace stanok::simulation {
 namespace {
@@ -18,8 +15,8 @@ namespace {
 using Point = Mesh::Point;
 
 // From the origin to (x, y, z), its triangles counter-clockwise from outside.
-std::vector<Corners> box(float x, float y, float z) {
-  std::vector<Corners> triangles;
+std::vector<StlTriangle> box(float x, float y, float z) {
+  std::vector<StlTriangle> triangles;
   const auto face = [&](const Point& from, const Point& a, const Point& b) {
     triangles.push_back({from, from + a, from + a + b});
     triangles.push_back({from, from + a + b, from + b});
@@ -71,7 +68,7 @@ TEST(ReferenceSurface, DistancesToASphereAreThoseOfItsRadius) {
                  static_cast<float>(R * std::sin(b) * std::sin(a)),
                  static_cast<float>(R * std::cos(b)));
   };
-  std::vector<Corners> triangles;
+  std::vector<StlTriangle> triangles;
   for (int i = 0; i < around; ++i) {
     for (int j = 0; j < up; ++j) {
       if (j > 0) triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
@@ -90,53 +87,35 @@ TEST(ReferenceSurface, DistancesToASphereAreThoseOfItsRadius) {
   }
 }
 
-TEST(StlReader, ReadsBothForms) {
-  const stanok::testing::TemporaryDirectory folder;
-  Mesh mesh;
-  for (const Corners& corners : box(3, 2, 1)) {
-    const auto first = static_cast<std::uint32_t>(mesh.points.size());
-    mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
-    mesh.triangles.push_back({first, first + 1, first + 2});
-  }
-  const auto binary = folder.path() / "binary.stl";
-  ASSERT_EQ(write_stl(mesh, binary, "solid, it says, and is binary"), "");
-  const auto read = read_stl(binary);
-  ASSERT_TRUE(read) << read.error();
-  EXPECT_EQ(*read, box(3, 2, 1));
-  const auto text = folder.path() / "text.stl";
-  std::ofstream file(text);
-  file << "solid box\n";
-  for (const Corners& corners : box(3, 2, 1)) {
-    file << "facet normal 0 0 0\nouter loop\n";
-    for (const Point& corner : corners) file << "vertex " << corner.transpose() << "\n";
-    file << "endloop\nendfacet\n";
-  }
-  file << "endsolid\n";
-  file.close();
-  const auto read_too = read_stl(text);
-  ASSERT_TRUE(read_too) << read_too.error();
-  EXPECT_EQ(*read_too, box(3, 2, 1));
+// A file need not be closed to be the surface of a part; a triangle without an area is none.
+TEST(ReferenceOfStl, IsThatOfItsTriangles) {
+  std::string text = "solid box\n";
+  const auto add = [&text](const StlTriangle& triangle) {
+    std::ostringstream corners;
+    for (const Point& corner : triangle) corners << "vertex " << corner.transpose() << "\n";
+    text += "facet normal 0 0 0\nouter loop\n" + corners.str() + "endloop\nendfacet\n";
+  };
+  std::vector<StlTriangle> open_box = box(3, 2, 1);
+  open_box.pop_back();
+  for (const StlTriangle& triangle : open_box) add(triangle);
+  add({Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0)});
+  const auto surface = reference_of_stl(text + "endsolid\n");
+  ASSERT_TRUE(surface) << surface.error();
+  EXPECT_NEAR(surface->deviation({1.5F, 1, 3}), 2.0, 1e-6);
 }
 
-TEST(StlReader, RefusesWhatIsNone) {
-  const stanok::testing::TemporaryDirectory folder;
-  const auto file = folder.path() / "none.stl";
-  EXPECT_FALSE(read_stl(file));
-  for (const char* const text :
-       {"", "M30\n", "solid\nvertex 1 2\n", "vertex 0 0 0 vertex 1 0 0 vertex nan 0 0\n",
-        "vertex 0 0 0 vertex 1 0 0 vertex 2 0 0\n"}) {
-    std::ofstream(file) << text;
-    EXPECT_FALSE(read_stl(file)) << text;
-  }
-  // A binary file that promises more than is taken.
-  std::string head(84, ' ');
-  const std::uint32_t count = stl_triangles_max + 1;
-  head.replace(80, 4, std::string(reinterpret_cast<const char*>(&count), 4));
-  std::ofstream(file, std::ios::binary) << head;
-  std::filesystem::resize_file(file, 84 + std::uintmax_t{count} * 50);
-  const auto large = read_stl(file);
-  ASSERT_FALSE(large);
-  EXPECT_NE(large.error().find("500000"), std::string::npos) << large.error();
+TEST(ReferenceOfStl, IsRefusedWithTheReason) {
+  EXPECT_FALSE(reference_of_stl(""));
+  EXPECT_FALSE(reference_of_stl("M30\n"));
+  const std::string flat =
+      "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 2 0 0\nendloop\n"
+      "endfacet\nendsolid\n";
+  const auto without_area = reference_of_stl(flat);
+  ASSERT_FALSE(without_area);
+  EXPECT_NE(without_area.error().find("no triangle with an area"), std::string::npos);
+  std::string far = flat;
+  far.replace(far.find("1 0 0\nvertex 2 0 0"), 5, "0 1e9 0");
+  EXPECT_FALSE(reference_of_stl(far));
 }
 
 }  // namespace
