@@ -17,6 +17,7 @@ constexpr double near_mm = 1e-2;
 
 // Of a region; the search for ways from island to island goes with their square, a second or two.
 constexpr std::size_t corners_max = 8'000;
+constexpr double scan_lines_max = 10'000.0;
 
 std::string text(const char* format, double first, double second, double third = 0.0) {
   std::array<char, 200> buffer{};
@@ -181,9 +182,44 @@ std::vector<PocketWay> finishing_ways(const std::vector<ClosedLine>& finish,
   return ways;
 }
 
+// What no computer should be asked for, seen before anything of that size is made.
+std::optional<PocketFault> excess_of(const PocketWish& wish) {
+  const auto is_near = [](PlanePoint p) {
+    return std::abs(p.first) <= pocket_reach_mm && std::abs(p.second) <= pocket_reach_mm;
+  };
+  double corners = 0.0;
+  PlanePoint low = wish.start;
+  PlanePoint high = wish.start;
+  for (const auto& [element, line] : wish.outline) {
+    if (!is_near(element.start) || !is_near(element.end) ||
+        (element.arc && !is_near(element.centre)))
+      return PocketFault{"it is farther away than 100 m", "look at the coordinates", line};
+    const double radius = element.arc ? norm(element.start - element.centre) : 0.0;
+    corners += element.arc ? element.sweep / std::sqrt(8.0 * chord_deviation_mm / radius) : 1.0;
+    for (const PlanePoint point : {element.end, element.centre + PlanePoint{radius, radius},
+                                   element.centre - PlanePoint{radius, radius}}) {
+      if (!element.arc && norm(point - element.end) > 0.0) continue;
+      low = {std::min(low.first, point.first), std::min(low.second, point.second)};
+      high = {std::max(high.first, point.first), std::max(high.second, point.second)};
+    }
+  }
+  if (!is_near(wish.start) || !(wish.radius_mm + wish.finish_mm <= pocket_reach_mm))
+    return PocketFault{"it is farther away than 100 m", "look at the coordinates and the tool", 0};
+  if (corners > corners_max) return too_fine();
+  const PlanePoint size = high - low;
+  const double across = wish.lines == ScanLines::along_first ? size.second : size.first;
+  if (!(across / wish.step_mm <= scan_lines_max)) {
+    return PocketFault{"its lines are too near to each other, more than " +
+                           std::to_string(static_cast<int>(scan_lines_max)) + " would be needed",
+                       "take a larger way between lines, I or J", 0};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Expected<PocketPlan, PocketFault> plan_pocket(const PocketWish& wish) {
+  if (auto fault = excess_of(wish)) return Unexpected(std::move(*fault));
   const Region pocket = region_inside(elements_of(wish));
   const Region middle = shrunk(pocket, wish.radius_mm);
   const Region rough =

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -300,6 +301,26 @@ TEST(PocketPlan, RefusesNarrowPlacesThatWouldStay) {
   EXPECT_EQ(refusal(rounded, {10, 10}, 1.9), "taken");
   EXPECT_THAT(refusal(rounded, {10, 10}, 2.5),
               HasSubstr("come to this part of the outline line 3"));
+}
+
+TEST(PocketPlan, RefusesWhatWouldTakeTooMuch) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double far : {1.1e5, 1e300, nan}) {
+    Outline outline({0.0, 0.0});
+    outline.to(far, 0).to(far, 20).to(0, 20).to(0, 0);
+    EXPECT_THAT(refusal(outline, {10, 10}, 2.0), HasSubstr("farther away than 100 m line 1"))
+        << far;
+  }
+  Outline square({0.0, 0.0});
+  square.to(90, 0).to(90, 90).to(0, 90).to(0, 0);
+  EXPECT_EQ(refusal(square, {10, 10}, 2.0), "taken");
+  EXPECT_THAT(refusal(square, {10, 10}, 1e300), HasSubstr("farther away"));
+  // Lines as far apart as the tool has radius: 90 / 0.008.
+  EXPECT_THAT(refusal(square, {10, 10}, 0.008), HasSubstr("more than 10000 would be needed"));
+  // A circle of 60 m has some 12,000 chords.
+  Outline circle({6e4, 0.0});
+  circle.arc(-6e4, 0, {0, 0}, true).arc(6e4, 0, {0, 0}, true);
+  EXPECT_THAT(refusal(circle, {0, 0}, 50.0), HasSubstr("more than 8000 corners"));
 }
 
 TEST(PocketPlan, RefusesAnOutlineThatRunsTheOtherWay) {
