@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lang/words/channel_words.h"
+
 namespace stanok::lang {
 namespace {
 
