@@ -133,12 +133,12 @@ std::string study(const GrindOptions& options) {
   const GrindInput input = value_or_raise(client::grind_input(options));
   Interruption interruption;
   const auto points = without_lock(interruption, [&] {
-    return client::run_study(input.request, variations,
+    return client::run_study(input.request, variations, client::StudyPart(),
                              [asked = interruption.asked()](std::size_t) {
                                if (asked()) throw Interrupted();
                              });
   });
-  return client::study_csv(variations, points);
+  return client::study_csv(variations, client::StudyPart(), points);
 }
 
 std::string program(const GrindOptions& options, const std::string& title) {

@@ -162,7 +162,7 @@ TEST(StlSolid, StaysClosedInEveryDirection) {
                                   Eigen::AngleAxisd(angle(random), Vector::UnitX()))
                                      .toRotationMatrix();
     StlTriangles box = stl_box({0.0, 0.0, 0.0}, {30.0, 20.0, 10.0});
-    for (StlTriangle& triangle : box) {
+    for (auto& triangle : box) {
       for (StlPoint& point : triangle) {
         const Vector turned = turn * Vector(point.data());
         point = {turned.x(), turned.y(), turned.z()};
