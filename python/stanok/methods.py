@@ -169,6 +169,19 @@ class ProgramMethods:
         """
         return self._call("program.check", _given(program=program, text=text, channel=channel, file=file))
 
+    def picture(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
+        """The virtual workpiece as the program leaves it, run on a virtual clock: `picture` is a PNG in base64,
+        seen from the front, right and above; null: the program announces no blank. A check of this connection
+        ends it.
+
+        ``program.picture``, for the role observer.
+
+        Args:
+            program: program file beneath the program root.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("program.picture", _given(program=program, channel=channel))
+
     def estimate(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
         """Time and way of a program, from running it on a virtual clock with the tables, schemes and places of
         now, overrides at 100 %; a check of this connection ends it.
@@ -347,7 +360,8 @@ class ProgramMethods:
         return self._call("program.unskip", _given(level=level, channel=channel))
 
     def list(self) -> dict[str, Any]:
-        """Program files beneath the program root.
+        """Program files beneath the program root, with the times (Unix) of their last change, and of the last
+        check and run since the daemon started.
 
         ``program.list``, for the role observer.
         """
@@ -700,6 +714,14 @@ class ToolMethods:
         """
         return self._call("tool.save", _given())
 
+    def history(self) -> dict[str, Any]:
+        """Changes of tools and work offsets since the daemon started, the newest 500, the newest first: by an
+        operator, or by the program that ran last.
+
+        ``tool.history``, for the role observer.
+        """
+        return self._call("tool.history", _given())
+
 
 class OffsetMethods:
     """Methods ``offset.*``."""
@@ -807,6 +829,125 @@ class ProcessMethods:
         """
         return self._call("process.grinding", _given(program=program))
 
+    def stability(
+        self,
+        program: str,
+        *,
+        from_: float | None = None,
+        to: float | None = None,
+        count: int | None = None,
+        method: Literal["zeroth-order", "semi-discretisation"] | None = None,
+        speed: float | None = None,
+        depth: float | None = None,
+    ) -> dict[str, Any]:
+        """Stability lobes, as `stanok process lobes`: depths up to which a cut does not chatter; limits are speed
+        rev/min, depth mm (null: any), chatter Hz (0: not known).
+
+        ``process.stability``, for the role observer.
+
+        Args:
+            program: file of cut, tool and vibrations (.toml) beneath the program root.
+            from_: least speed; default 1000; 1 to 1000000 rev/min.
+            to: greatest speed; default 20000; 1 to 1000000 rev/min.
+            count: speeds in the range; default 400; 2 to 1200.
+            method: zeroth-order (default): the mean over a tooth; semi-discretisation: each tooth, for
+                small widths of cut.
+            speed: of a planned cut, which is judged; 1 to 1000000 rev/min.
+            depth: of the planned cut; grinding: its width; 0.0001 to 10000 mm.
+        """
+        return self._call("process.stability", _given(
+            program=program, from_=from_, to=to, count=count, method=method, speed=speed, depth=depth))
+
+    def figures(
+        self,
+        file: str,
+        *,
+        kind: Literal["turning", "milling", "grinding"] | None = None,
+        stock: str | None = None,
+        program: str | None = None,
+        channel: int | None = None,
+        spindle: int | None = None,
+        coefficient: float | None = None,
+        touch: float | None = None,
+        force_ratio: float | None = None,
+        wheel_speed: float | None = None,
+        tool: int | None = None,
+        efficiency: float | None = None,
+    ) -> dict[str, Any]:
+        """Figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; power is time s, as
+        recorded W, as fitted W; text is what to write into a file.
+
+        ``process.figures``, for the role observer.
+
+        Args:
+            file: log, as history.logs lists them.
+            kind: what the log is of; default turning.
+            stock: turning: the bar before the cut in the frame of the program, as 0:32,-20:33: from this Z
+                on this radius, mm.
+            program: beneath the program root; milling: tool and material (.toml); grinding: process file
+                (.toml).
+            channel: channel; default: the first one; 1 to 999.
+            spindle: spindle of the machine, from 1 on; grinding: that of the wheel; default 1; 1 to 16.
+            coefficient: turning: C of the material, where it is known: tells the efficiency; 1 to 1000000
+                N.
+            touch: grinding: X of the program at which the wheel touches; default: the allowance; -10000 to
+                10000 mm.
+            force_ratio: grinding: tangential over normal force of the wheel; default 0.4; 0.05 to 2.
+            wheel_speed: grinding: surface speed of the wheel; default 35; 1 to 200 m/s.
+            tool: milling: whose cuts are looked at; default: all; 1 to 1000000.
+            efficiency: grinding: of the wheel's drive, default 0.85; milling: makes forces of the cut of
+                those that the drive saw, default 1; 0.1 to 1.
+        """
+        return self._call("process.figures", _given(
+            file=file, kind=kind, stock=stock, program=program, channel=channel, spindle=spindle,
+            coefficient=coefficient, touch=touch, force_ratio=force_ratio, wheel_speed=wheel_speed,
+            tool=tool, efficiency=efficiency))
+
+    def forces(
+        self,
+        program: str,
+        *,
+        cut: str | None = None,
+        tool: int | None = None,
+        step: float | None = None,
+        force: float | None = None,
+        feed_min: float | None = None,
+        feed_max: float | None = None,
+        stiffness: float | None = None,
+        channel: int | None = None,
+    ) -> dict[str, Any]:
+        """Forces along a program, and feeds that hold one, as `stanok process optimise`; places are path mm, force
+        as programmed N, as planned N, feed as programmed mm/min, as planned, power W, depth mm or area mm2,
+        deflection um; text is the program with the feeds.
+
+        ``process.forces``, for the role observer.
+
+        Args:
+            program: part program beneath the program root.
+            cut: of a milling program: tool and material (.toml) beneath the program root; without it the
+                program is a turning one.
+            tool: milling: whose cuts are looked at; default: all; 1 to 1000000.
+            step: milling: between two places that are looked at; default: twice the resolution of the
+                workpiece; 0.0001 to 100 mm.
+            force: cutting force to be kept; without it the forces as programmed are told; 0.001 to 1000000
+                N.
+            feed_min: least feed, a turn; default: a twentieth of the programmed one; 0.0001 to 1000 mm.
+            feed_max: greatest feed, a turn; default: the programmed one; 0.0001 to 1000 mm.
+            stiffness: turning: of tool and part across the cut; tells the deflection; 0.001 to 1000000
+                N/um.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("process.forces", _given(
+            program=program, cut=cut, tool=tool, step=step, force=force, feed_min=feed_min,
+            feed_max=feed_max, stiffness=stiffness, channel=channel))
+
+    def cancel(self) -> dict[str, Any]:
+        """End what this connection has calculated of the process, which answers E9017.
+
+        ``process.cancel``, for the role observer.
+        """
+        return self._call("process.cancel", _given())
+
 
 class WorkpieceMethods:
     """Methods ``workpiece.*``."""
@@ -828,6 +969,7 @@ class WorkpieceMethods:
         workpiece: int | None = None,
         since: int | None = None,
         from_: int | None = None,
+        reference: str | None = None,
     ) -> dict[str, Any]:
         """Surface of the workpiece that is being cut, by pages; or what has changed of it.
 
@@ -841,8 +983,12 @@ class WorkpieceMethods:
                 4000000000.
             from_: brick with which the page begins, as `next` of the one before told; default 0; 0 to
                 1000000000.
+            reference: STL file beneath the program root, in the workpiece system of the announcement: the
+                numbers of corners are how far they are off it, Int32 in 0.1 um, above 0 outside, instead of
+                tools.
         """
-        return self._call("workpiece.surface", _given(channel=channel, workpiece=workpiece, since=since, from_=from_))
+        return self._call("workpiece.surface", _given(
+            channel=channel, workpiece=workpiece, since=since, from_=from_, reference=reference))
 
     def allow(self, *, on: int | None = None) -> dict[str, Any]:
         """Publish the workpieces that programs announce with #workpiece, for viewers that follow the cut.
@@ -1094,6 +1240,7 @@ class Methods:
         velocity: float,
         *,
         increment: float | None = None,
+        frame: Literal["machine", "tool", "plane"] | None = None,
         channel: int | None = None,
     ) -> dict[str, Any]:
         """Jog an axis: by an increment, or for 200 ms at a time; repeat the command to keep it moving.
@@ -1101,13 +1248,17 @@ class Methods:
         ``jog``, for the role operator.
 
         Args:
-            axis: axis of the machine, as in the machine file.
+            axis: axis of the machine, as in the machine file; with another frame X, Y or Z.
             velocity: velocity; its sign is the direction; -100000 to 100000 mm/s, deg/s.
             increment: distance to go; without it the axis moves as long as the jog is repeated; 0 to 100000
                 mm, deg.
+            frame: whose directions: one axis of the machine, the tool (Z from its tip into the spindle), or
+                the workpiece as programs see it now, tilted planes included; the tool goes straight then,
+                and the rotary axes stand.
             channel: channel; default: the first one; 1 to 999.
         """
-        return self._call("jog", _given(axis=axis, velocity=velocity, increment=increment, channel=channel))
+        return self._call("jog", _given(
+            axis=axis, velocity=velocity, increment=increment, frame=frame, channel=channel))
 
     def home(self, *, axis: str | None = None, channel: int | None = None) -> dict[str, Any]:
         """Home the axes of a channel in the order of the machine file: find home switch or index pulse; answers
