@@ -180,9 +180,9 @@ TEST(StlSolid, IsWholeWhereRaysMeetItsEdges) {
   const std::array<StlPoint, 6> corners{
       {{8, 0, 0}, {-8, 0, 0}, {0, 8, 0}, {0, -8, 0}, {0, 0, 8}, {0, 0, -8}}};
   StlTriangles all;
-  for (const int x : {0, 1}) {
-    for (const int y : {2, 3}) {
-      for (const int z : {4, 5}) {
+  for (const std::size_t x : {0U, 1U}) {
+    for (const std::size_t y : {2U, 3U}) {
+      for (const std::size_t z : {4U, 5U}) {
         const bool flips = (x + (y - 2) + (z - 4)) % 2 != 0;
         all.push_back({corners[x], corners[flips ? z : y], corners[flips ? y : z]});
       }
