@@ -70,6 +70,7 @@ struct Reception::Parts {
   void serve_one_round();
   [[nodiscard]] bool step_end();
   void drop_overdue();
+  void close_all();
 
   ServerLimits limits;
   RunningMachine& machine;
@@ -168,6 +169,15 @@ void Reception::Parts::drop_overdue() {
   }
 }
 
+// At the end. Where memory has ended, those who are left are cut off with the process.
+void Reception::Parts::close_all() {
+  try {
+    for (const auto& session : sessions.all()) session->close();
+  } catch (const std::exception& fault) {
+    spdlog::error("clients were not told of the end: {}", fault.what());
+  }
+}
+
 void Reception::Parts::await_signal() {
   signals.async_wait([this](const error_code& error, int number) {
     if (error) return;
@@ -222,7 +232,7 @@ void Reception::run() {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
-  for (const auto& session : parts_->sessions.all()) session->close();
+  parts_->close_all();
   parts_->counter.on_end();
 }
 
