@@ -185,12 +185,21 @@ void Foresight::work(const std::stop_token& stop) {
       at_work_ = order.channel;
       is_outdated_ = false;
     }
-    growing_ = {order.path};
-    const GivenUp why = look_ahead(order, stop);
-    for (const auto& path : growing_) path->give_up(why);
+    grow_paths(order, stop);
     growing_.clear();
     const std::lock_guard lock(mutex_);
     at_work_ = 0;
+  }
+}
+
+// Where there is no memory even to begin, nobody can be told.
+void Foresight::grow_paths(const Order& order, const std::stop_token& stop) {
+  try {
+    growing_ = {order.path};
+    const GivenUp why = look_ahead(order, stop);
+    for (const auto& path : growing_) path->give_up(why);
+  } catch (...) {
+    return;
   }
 }
 

@@ -112,6 +112,7 @@ class Foresight {
   [[nodiscard]] Expected<Foreseen, GivenUp> foresee(const Order& order,
                                                     const std::stop_token& stop);
   [[nodiscard]] GivenUp look_ahead(const Order& order, const std::stop_token& stop);
+  void grow_paths(const Order& order, const std::stop_token& stop);
   [[nodiscard]] std::shared_ptr<PlannedPath> path_of(int channel, const Order& order);
   [[nodiscard]] static std::optional<double> reached(const Foreseen& foreseen, int channel,
                                                      const channels::CycleOutput& now);
