@@ -46,7 +46,8 @@ const Query* find_query(std::string_view name) {
 std::unique_ptr<History> open_history(const std::string& database) {
   if (!is_server(database) && access(database.c_str(), F_OK) != 0)
     throw std::runtime_error("there is no history " + database +
-                             "; it is the one that stanok-gateway --history names");
+                             "; --database (stanok) and --history (stanok-web) name it, as "
+                             "stanok-gateway --history does");
   return std::make_unique<History>(database);
 }
 
