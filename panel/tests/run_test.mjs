@@ -155,7 +155,10 @@ function stlOf([x0, y0, z0], [x1, y1, z1]) {
     [a, c, d],
   ]);
   const facet = (corners) => corners.map((k) => `vertex ${at(Number(k)).join(' ')}`).join('\n');
-  return `solid box\n${triangles.map((one) => `facet\n${facet(one)}\nendfacet`).join('\n')}\nendsolid\n`;
+  const all = triangles.map(
+    (one) => `facet normal 0 0 0\nouter loop\n${facet(one)}\nendloop\nendfacet`,
+  );
+  return `solid box\n${all.join('\n')}\nendsolid\n`;
 }
 const blank = { low: [0, 0, -12], high: [60, 40, 0] };
 
@@ -210,7 +213,7 @@ test('its colours say so, with a scale in mm', async () => {
   writeFileSync(join(stage.programs, 'blank.stl'), 'M30\n');
   await page.getByLabel('Colours of the part').selectOption('By tool');
   await page.getByLabel('Colours of the part').selectOption('Off blank.stl');
-  await page.getByText(/blank.stl: no STL file/).waitFor();
+  await page.getByText(/blank.stl: .*no STL file/).waitFor();
   await page.getByLabel('Colours of the part').selectOption('By tool');
   await until('the part', async () => (await triangles()) > 0);
 });
