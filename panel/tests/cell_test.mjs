@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before } from 'node:test';
+import { findings, measure } from './looks.mjs';
 import { root, setStage, storyOf, until } from './stage.mjs';
 
 const test = storyOf();
@@ -48,6 +49,21 @@ test('what ran is in the history, of this machine and not of the other one', asy
     await page.screenshot({ path: join(root, 'docs/operator/pictures/panel-cell.png') });
   await history.getByRole('button', { name: 'Alarms' }).click();
   await history.getByText('There is nothing in this time').waitFor();
+});
+
+test('it fits on small screens and large ones, in both languages, and axe-core finds nothing', async () => {
+  for (const [width, height, locale] of [
+    [360, 640, 'ru-RU'],
+    [360, 640, 'en-US'],
+    [3840, 2160, 'ru-RU'],
+  ]) {
+    const other = await stage.openMachine({ width, height, locale });
+    await other.evaluate(() => (location.hash = '#/cell'));
+    await other.locator('section table').first().waitFor();
+    assert.deepEqual(await other.evaluate(measure), [], `${width} ${locale}`);
+    assert.deepEqual(await findings(other), [], `${width} ${locale}`);
+    await other.context().close();
+  }
 });
 
 test('the name of a machine leads to its page, which works that machine alone', async () => {

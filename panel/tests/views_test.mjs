@@ -4,14 +4,13 @@
 //
 // With STANOK_WRITE_DOCS=1 it takes the pictures of docs/operator/panel-views.md, too.
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
+import { findings, measure } from './looks.mjs';
 import { password, root, setStage, until } from './stage.mjs';
 
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const views = [
   'machine',
   'path',
@@ -49,43 +48,10 @@ async function show(page, view) {
   await until('the view is there', async () => !/being loaded/.test(await page.innerText('main')));
 }
 
-async function findings(page) {
-  await page.evaluate(axe);
-  const { violations } = await page.evaluate(() => window.axe.run(document));
-  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' | ')}`);
-}
-
 /** To be looked at, in the folder $STANOK_PICTURES. */
 async function picturesOf(page, name) {
   const folder = process.env.STANOK_PICTURES;
   if (folder) await page.screenshot({ path: join(folder, `${name}.png`) });
-}
-
-/** What is wrong with the sizes of what is in view, as sentences. */
-function measure() {
-  const wrong = [];
-  const wide = document.documentElement.scrollWidth - window.innerWidth;
-  if (wide > 0) wrong.push(`the page is ${wide} px too wide`);
-  for (const element of document.querySelectorAll('button, select, input, nav a, a.button')) {
-    const box = element.getBoundingClientRect();
-    const hidden = box.width === 0 || element.closest('[hidden], details:not([open])');
-    if (!hidden && (box.height < 43.9 || (box.width < 43.9 && element.type !== 'range'))) {
-      wrong.push(`${element.outerHTML.slice(0, 90)} is ${box.width} x ${box.height} px`);
-    }
-  }
-  for (const element of document.querySelectorAll('td, th, h1, h2, button, strong, dd')) {
-    const spills = element.scrollWidth - element.clientWidth > 1 && element.clientWidth > 1;
-    const cut = getComputedStyle(element).overflow !== 'visible';
-    if (spills && !cut) wrong.push(`${element.outerHTML.slice(0, 90)} spills over`);
-  }
-  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  while (texts.nextNode()) {
-    const { parentElement, textContent } = texts.currentNode;
-    if (textContent.trim() === '' || parentElement.closest('script, style')) continue;
-    const size = parseFloat(getComputedStyle(parentElement).fontSize);
-    if (size < 14) wrong.push(`"${textContent.trim().slice(0, 30)}" is written with ${size} px`);
-  }
-  return wrong;
 }
 
 /** Both stand at the upper right, STOP ALL outermost, with room between them. */
