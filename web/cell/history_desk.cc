@@ -3,6 +3,7 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <exception>
+#include <new>
 
 #include "gateway/history/answers.h"
 #include "gateway/history/queries.h"
@@ -43,8 +44,12 @@ asio::awaitable<Answered> HistoryDesk::ask(HistoryQuestion question) {
   if (waiting_ >= questions_max)
     co_return refused(busy, "too many questions wait for the history; ask again later");
   ++waiting_;
-  Answered answered = co_await asio::co_spawn(
-      reader_, read(database_, *query, *since_s, question.machine), asio::use_awaitable);
+  Answered answered = refused(failed, "there is no memory to read the history");
+  try {
+    answered = co_await asio::co_spawn(reader_, read(database_, *query, *since_s, question.machine),
+                                       asio::use_awaitable);
+  } catch (const std::bad_alloc&) {  // it costs this answer, not the place of others
+  }
   --waiting_;
   co_return answered;
 }
