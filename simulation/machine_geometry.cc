@@ -99,4 +99,10 @@ Pose MachineGeometry::machine_in(int home, const Axes& axes_M) const {
   return pose;
 }
 
+Pose MachineGeometry::linear_axes_in(int home, const Axes& axes_M) const {
+  const Scheme& of_home = scheme(home);
+  if (!of_home.is_affine(PointMode::axes)) return Pose::Identity();
+  return machine_in(home, axes_M) * Eigen::Translation3d(linear_of(of_home, of_home.config().zero));
+}
+
 }  // namespace stanok::simulation

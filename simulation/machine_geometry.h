@@ -48,6 +48,9 @@ class MachineGeometry {
                                                 const ToolPlace& place_B) const;
   // The frame of upright points, in the base of `home` with the axes standing so.
   [[nodiscard]] Pose machine_in(int home, const Axes& axes_M) const;
+  // The frame of points that ride on the linear axes and do not turn with the table
+  // (PointMode::axes), likewise.
+  [[nodiscard]] Pose linear_axes_in(int home, const Axes& axes_M) const;
 
  private:
   [[nodiscard]] const kinematics::Scheme& scheme(int id) const { return *geometry_.schemes.at(id); }

@@ -76,6 +76,11 @@ void WorkpieceFollower::place(const Placement& placement, const Sample& now) {
   latest_.reset();
 }
 
+Pose WorkpieceFollower::program_in_base() const {
+  if (workpiece_ == nullptr) return blank_in_base_;
+  return blank_in_base_ * Eigen::Translation3d(workpiece_->blank().zero);
+}
+
 void WorkpieceFollower::change_tool(int number, int edge, const ToolRecord& record) {
   const bool is_at_work = latest_ && latest_->tool == number && latest_->edge == edge;
   if (is_at_work) flush();

@@ -80,6 +80,11 @@ class WorkpieceFollower {
   // The one that is being cut; nullptr: none was announced, or the last blank was refused.
   [[nodiscard]] Workpiece* at_work() { return workpiece_; }
 
+  // The scheme on whose base it stands.
+  [[nodiscard]] int home() const { return home_; }
+  // The workpiece system of its announcement, moved with the blank, in that base.
+  [[nodiscard]] Pose program_in_base() const;
+
   // A rotating tool and where the latest sample has it; nothing: no such tool is at work.
   struct ToolAtWork {
     const MillingTool* tool = nullptr;

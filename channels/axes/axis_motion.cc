@@ -145,6 +145,8 @@ void AxisMotion::show(ChannelOutput& output) const RT_SAFE {
   output.path_speed = path_.s_speed;
   output.on_arc = path_.on_arc;
   output.point_W = path_.point;
+  output.work_frame = frame_.frame;
+  output.point_mode = frame_.mode;
   output.process.law = path_.process.kind;
   output.process.increments = path_.process.increments;
   output.process.stands = path_.state == motion::PathState::standing;

@@ -209,8 +209,10 @@ struct ChannelOutput {
   ProcessOutput process;
   Workpiece workpiece;
   ToolAtWork tool;
-  ToolRow tool_row;            // of that tool, as the table has it in this cycle
-  motion::JetPoint point_W{};  // programmed point in W with time derivatives, channel axis order
+  ToolRow tool_row;              // of that tool, as the table has it in this cycle
+  motion::JetPoint point_W{};    // programmed point in W with time derivatives, channel axis order
+  kinematics::Frame work_frame;  // W in B, for displays
+  kinematics::PointMode point_mode = kinematics::PointMode::axes;  // B turns with the table: tip
   AxisArray<AxisSetpoint> axes{};
   AxisArray<DriveCommand> drives{};
   Arrivals arrivals{};                 // that this cycle saw

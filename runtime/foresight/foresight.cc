@@ -65,14 +65,21 @@ class PathGathering final : public CycleObserver {
   using NewPath = std::function<std::shared_ptr<PlannedPath>(int channel)>;
 
   PathGathering(const channels::MachineConfig& machine, NewPath new_path)
-      : machine_(machine), new_path_(std::move(new_path)) {}
+      : machine_(machine), new_path_(std::move(new_path)) {
+    for (const channels::ChannelConfig& channel : machine.channels)
+      places_.emplace(channel.id, PartPlace(machine, channel));
+  }
 
   void observe(const channels::CycleOutput& output) override {
     for (const channels::ChannelOutput& channel : output.of_channels()) {
       if (channel.axis_count == 0) continue;
       auto writer = writers_.find(channel.id);
-      if (writer == writers_.end() && channel.running && channel.moving)
-        writer = writers_.emplace(channel.id, writer_for(channel.id)).first;
+      if (writer == writers_.end() && channel.running) {
+        if (channel.moving)
+          writer = writers_.emplace(channel.id, writer_for(channel)).first;
+        else
+          parts_[channel.id].see(places_.at(channel.id), channel);
+      }
       if (writer != writers_.end()) writer->second.add(channel);
     }
   }
@@ -82,14 +89,17 @@ class PathGathering final : public CycleObserver {
   }
 
  private:
-  [[nodiscard]] PlannedPathWriter writer_for(int channel) const {
+  [[nodiscard]] PlannedPathWriter writer_for(const channels::ChannelOutput& output) {
     const auto config = std::find_if(machine_.channels.begin(), machine_.channels.end(),
-                                     [&](const auto& one) { return one.id == channel; });
-    return {config->words, machine_.cycle_us * 1e-6, new_path_(channel)};
+                                     [&](const auto& one) { return one.id == output.id; });
+    const auto part = parts_[output.id].at_begin(places_.at(output.id), output);
+    return {machine_, *config, part, new_path_(output.id)};
   }
 
   const channels::MachineConfig& machine_;
   NewPath new_path_;
+  std::map<int, PartPlace> places_;
+  std::map<int, PartChoice> parts_;  // of the channels that have not moved
   std::map<int, PlannedPathWriter> writers_;
 };
 

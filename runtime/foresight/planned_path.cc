@@ -36,6 +36,11 @@ void PlannedPath::finish_page() {
   state_.points += points;
 }
 
+void PlannedPath::lie_on(const PartSystem& part) {
+  const std::lock_guard lock(mutex_);
+  state_.part = part;
+}
+
 void PlannedPath::complete() {
   if (is_full_) return give_up(GivenUp::points);
   finish_page();
@@ -49,10 +54,17 @@ void PlannedPath::give_up(GivenUp why) {
   if (!state_.is_complete && state_.given_up == GivenUp::no) state_.given_up = why;
 }
 
-PlannedPathWriter::PlannedPathWriter(std::span<const std::string> words, double cycle_s,
+PlannedPathWriter::PlannedPathWriter(const channels::MachineConfig& machine,
+                                     const channels::ChannelConfig& channel,
+                                     const std::optional<PartSystem>& part,
                                      std::shared_ptr<PlannedPath> path)
-    : cycle_s_(cycle_s), path_(std::move(path)) {
+    : cycle_s_(machine.cycle_us * 1e-6),
+      part_place_(machine, channel),
+      part_(part),
+      path_(std::move(path)) {
+  if (part_) path_->lie_on(*part_);
   constexpr std::array<std::string_view, 3> coordinates{"X", "Y", "Z"};
+  const auto& words = channel.words;
   for (std::size_t k = 0; k < coordinates.size(); ++k) {
     const auto word = std::find(words.begin(), words.end(), coordinates[k]);
     if (word != words.end()) axes_[k] = checked_size(word - words.begin());
@@ -68,49 +80,88 @@ void PlannedPathWriter::add(const channels::ChannelOutput& output) {
   scheme_ = output.scheme;
   if (!output.running || !is_same) end_line();
   if (!output.running || !output.moving) return;
-  const recording::PlotPoint point = point_of(output);
-  if (is_open_ && is_elsewhere(point)) end_line();
+  const Place place = place_of(output);
   const Way way = way_of(output);
+  if (is_open_ && (is_elsewhere(place.in_W) || way.tool != way_.tool)) end_line();
   const bool turns = is_open_ && way != way_;
-  if (turns && filter_.end()) put(last_, Joint::continues);
+  if (turns && ends_behind_a_point()) put(last_, Joint::continues);
   way_ = way;
   feed_mm_per_min_ = output.feed_commanded * seconds_per_minute;
-  if (!is_open_) put(point, Joint::begins);
-  if (!is_open_ || turns) filter_.begin(is_open_ ? last_ : point);
+  if (!is_open_) put(place, Joint::begins);
+  if (!is_open_ || turns) begin_chord(is_open_ ? last_ : place);
   is_open_ = true;
-  if (const auto corner = filter_.add(point)) put(*corner, Joint::continues);
-  last_ = point;
+  continue_to(place);
+  last_ = place;
   last_speed_ = speed_;
+}
+
+void PlannedPathWriter::begin_chord(const Place& place) {
+  in_W_.begin(place.in_W);
+  on_part_.begin(place.on_part);
+}
+
+// Each filter says when the place before has to stay: it stays in both systems then.
+void PlannedPathWriter::continue_to(const Place& place) {
+  const bool stays_in_W = in_W_.add(place.in_W).has_value();
+  const bool stays_on_part = on_part_.add(place.on_part).has_value();
+  if (!stays_in_W && !stays_on_part) return;
+  put(last_, Joint::continues);
+  const auto restart = [](recording::ChordFilter& filter, const recording::PlotPoint& from,
+                          const recording::PlotPoint& to) {
+    filter.begin(from);
+    static_cast<void>(filter.add(to));
+  };
+  if (!stays_in_W) restart(in_W_, last_.in_W, place.in_W);
+  if (!stays_on_part) restart(on_part_, last_.on_part, place.on_part);
+}
+
+bool PlannedPathWriter::ends_behind_a_point() {
+  const bool in_W = in_W_.end().has_value();
+  return on_part_.end().has_value() || in_W;
 }
 
 PlannedPathWriter::Way PlannedPathWriter::way_of(const channels::ChannelOutput& output) {
   return {output.tag.line, output.feed_commanded <= 0.0, output.on_arc, output.tool.number};
 }
 
-recording::PlotPoint PlannedPathWriter::point_of(const channels::ChannelOutput& output) {
-  recording::PlotPoint point{};
+PlannedPathWriter::Place PlannedPathWriter::place_of(const channels::ChannelOutput& output) {
+  Place place;
   double speed2 = 0.0;
-  for (std::size_t k = 0; k < point.size(); ++k) {
+  for (std::size_t k = 0; k < place.in_W.size(); ++k) {
     if (!axes_[k]) continue;
     const auto& coordinate = output.point_W[*axes_[k]];
-    point[k] = coordinate.value;
+    place.in_W[k] = coordinate.value;
     speed2 += coordinate.first * coordinate.first;
   }
   speed_ = std::sqrt(speed2);
-  return point;
+  place.on_part = on_part(output, place.in_W);
+  return place;
+}
+
+// Before a scheme is active there is no part that could be somewhere else.
+recording::PlotPoint PlannedPathWriter::on_part(const channels::ChannelOutput& output,
+                                                const recording::PlotPoint& in_W) const {
+  const auto tool = part_ ? part_place_.tool_in(*part_, output) : std::nullopt;
+  if (!tool) return in_W;
+  return {tool->tip.x(), tool->tip.y(), tool->tip.z()};
 }
 
 // The same place has other coordinates where a block chooses another offset, plane or rotation: it
 // is further from the last one than the tip moves in a cycle.
 bool PlannedPathWriter::is_elsewhere(const recording::PlotPoint& point) const {
   constexpr double unseen_mm = 0.01;
-  const double moved = std::hypot(point[0] - last_[0], point[1] - last_[1], point[2] - last_[2]);
+  const recording::PlotPoint& last = last_.in_W;
+  const double moved = std::hypot(point[0] - last[0], point[1] - last[1], point[2] - last[2]);
   return moved > 2.0 * std::max(speed_, last_speed_) * cycle_s_ + unseen_mm;
 }
 
-void PlannedPathWriter::put(const recording::PlotPoint& point, Joint joint) {
-  path_->add({.place_mm = {static_cast<float>(point[0]), static_cast<float>(point[1]),
-                           static_cast<float>(point[2])},
+void PlannedPathWriter::put(const Place& place, Joint joint) {
+  const auto floats = [](const recording::PlotPoint& point) {
+    return std::array{static_cast<float>(point[0]), static_cast<float>(point[1]),
+                      static_cast<float>(point[2])};
+  };
+  path_->add({.place_mm = floats(place.in_W),
+              .on_part_mm = floats(place.on_part),
               .line = way_.line,
               .begins = joint == Joint::begins,
               .rapid = way_.rapid,
@@ -120,7 +171,7 @@ void PlannedPathWriter::put(const recording::PlotPoint& point, Joint joint) {
 }
 
 void PlannedPathWriter::end_line() {
-  if (is_open_ && filter_.end()) put(last_, Joint::continues);
+  if (is_open_ && ends_behind_a_point()) put(last_, Joint::continues);
   is_open_ = false;
 }
 

@@ -2,8 +2,9 @@
 // program, as it grows.
 //
 // One thread writes, others read pages that are finished. A page never changes, so that what was
-// read stays. Points lie in the active workpiece system W, mm, and no point of the path is further
-// than 0.01 mm from the line between two of them; each has the line of the block that leads to it.
+// read stays. Points lie in the active workpiece system W, and on the part (part_place.h), mm; no
+// point of the path is further than 0.01 mm from the line between two of them in either system;
+// each has the line of the block that leads to it.
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@
 
 #include "channels/contract/output.h"
 #include "recording/format/path_preview.h"
+#include "runtime/foresight/part_place.h"
 
 namespace stanok::runtime {
 
@@ -33,7 +35,8 @@ enum class GivenUp : std::uint8_t {
 
 struct PathPage {
   struct Point {
-    std::array<float, 3> place_mm{};
+    std::array<float, 3> place_mm{};    // in W
+    std::array<float, 3> on_part_mm{};  // in P
     std::uint32_t line = 0;
     bool begins = false;  // no line leads to it
     bool rapid = false;
@@ -61,12 +64,14 @@ class PlannedPath {
     std::size_t points = 0;
     bool is_complete = false;
     GivenUp given_up = GivenUp::no;
+    std::optional<PartSystem> part;  // nothing before the first movement
   };
   [[nodiscard]] State state() const;
   // nullptr: it is not there yet.
   [[nodiscard]] std::shared_ptr<const PathPage> page(std::size_t number) const;
 
   // The thread that writes. Points beyond the bound are left out; the path is given up then.
+  void lie_on(const PartSystem& part);
   void add(const PathPage::Point& point);
   void complete();
   // Unless it is complete, or given up already.
@@ -87,15 +92,20 @@ class PlannedPath {
 // Makes the path of one channel from the outputs of all cycles.
 class PlannedPathWriter {
  public:
-  // `words` of the channel's axes, in their order: X, Y and Z make the point.
-  PlannedPathWriter(std::span<const std::string> words, double cycle_s,
-                    std::shared_ptr<PlannedPath> path);
+  // X, Y and Z of the channel make the point, and its place on `part`; nothing: no scheme is
+  // active.
+  PlannedPathWriter(const channels::MachineConfig& machine, const channels::ChannelConfig& channel,
+                    const std::optional<PartSystem>& part, std::shared_ptr<PlannedPath> path);
   void add(const channels::ChannelOutput& output);
   void complete();
   [[nodiscard]] const std::shared_ptr<PlannedPath>& path() const { return path_; }
 
  private:
   enum class Joint { begins, continues };
+  struct Place {
+    recording::PlotPoint in_W{};
+    recording::PlotPoint on_part{};
+  };
   // What holds for the way to a point.
   struct Way {
     std::uint32_t line = 0;
@@ -106,18 +116,26 @@ class PlannedPathWriter {
     friend bool operator==(const Way&, const Way&) = default;
   };
   [[nodiscard]] static Way way_of(const channels::ChannelOutput& output);
-  [[nodiscard]] recording::PlotPoint point_of(const channels::ChannelOutput& output);
+  [[nodiscard]] Place place_of(const channels::ChannelOutput& output);
+  [[nodiscard]] recording::PlotPoint on_part(const channels::ChannelOutput& output,
+                                             const recording::PlotPoint& in_W) const;
   [[nodiscard]] bool is_elsewhere(const recording::PlotPoint& point) const;
-  void put(const recording::PlotPoint& point, Joint joint);
+  void put(const Place& place, Joint joint);
+  void begin_chord(const Place& place);
+  void continue_to(const Place& place);
+  [[nodiscard]] bool ends_behind_a_point();
   void end_line();
 
   std::array<std::optional<std::size_t>, 3> axes_;
   double cycle_s_;
+  PartPlace part_place_;
+  std::optional<PartSystem> part_;
   std::shared_ptr<PlannedPath> path_;
-  recording::ChordFilter filter_;
   // Of the line that grows.
+  recording::ChordFilter in_W_;
+  recording::ChordFilter on_part_;
   bool is_open_ = false;
-  recording::PlotPoint last_{};
+  Place last_;
   double last_speed_ = 0.0;  // mm/s
   double speed_ = 0.0;
   Way way_;

@@ -113,9 +113,12 @@ std::optional<SurfacePage> LiveWorkpieces::page(int channel, const SurfaceReques
   if (seat == seats_.end() || seat->workpiece == nullptr) return std::nullopt;
   simulation::Workpiece& workpiece = *seat->workpiece;
   simulation::CutMarks& marks = *workpiece.marks();
-  if (request.from == 0) seat->feed->follower().flush();
+  simulation::WorkpieceFollower& follower = seat->feed->follower();
+  if (request.from == 0) follower.flush();
   SurfacePage page{.workpiece = seat->shapes,
                    .version = marks.close_version(),
+                   .scheme = follower.home(),
+                   .in_base = follower.program_in_base(),
                    .blank = workpiece.blank(),
                    .bricks = {},
                    .corners = {},

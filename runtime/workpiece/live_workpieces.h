@@ -42,6 +42,8 @@ struct SurfacePage {
   };
   std::uint32_t workpiece = 0;  // which announcement of the channel, from 1
   std::uint32_t version = 0;    // what changed later than this page has a later one
+  int scheme = 0;               // whose base carries it
+  simulation::Pose in_base = simulation::Pose::Identity();  // of that workpiece system
   simulation::Blank blank;
   std::vector<Brick> bricks;
   std::vector<Corner> corners;

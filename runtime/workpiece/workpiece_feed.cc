@@ -16,28 +16,6 @@ using simulation::Vector;
 constexpr double standing_rev_per_min = 1.0;
 constexpr int type_of_file = 2;  // of #workpiece
 
-simulation::ToolRecord record_of(const channels::ToolRow& row) {
-  simulation::ToolRecord record;
-  simulation::ToolShape& shape = record.shape;
-  shape.kind = simulation::tool_kind_named(row.kind.view()).value_or(simulation::ToolKind::flat);
-  shape.radius = row.radius + row.wear_radius;
-  shape.corner_radius = row.corner_radius;
-  shape.flute_length = row.flute_length;
-  shape.overhang = row.overhang;
-  shape.shank_diameter = row.shank_diameter;
-  shape.holder_diameter = row.holder_diameter;
-  shape.holder_length = row.holder_length;
-  shape.length = row.length;
-  shape.point_angle = row.point_angle;
-  shape.taper_angle = row.taper_angle;
-  shape.orientation = row.orientation;
-  shape.angle_front = row.angle_front;
-  shape.angle_back = row.angle_back;
-  record.mount.nose_to_tip =
-      -Vector(row.length_x + row.wear_length_x, row.length_y, row.length + row.wear_length);
-  return record;
-}
-
 // The axis that the main spindle of a lathe becomes: it turns the part, not the tool.
 int turning_axis(const channels::MachineConfig& machine, const channels::ChannelConfig& channel) {
   if (channel.kind != lang::ChannelKind::lathe) return -1;
@@ -119,6 +97,39 @@ simulation::ChannelGeometry geometry_of(const channels::MachineConfig& machine,
   return geometry;
 }
 
+simulation::ToolRecord record_of(const channels::ToolRow& row) {
+  simulation::ToolRecord record;
+  simulation::ToolShape& shape = record.shape;
+  shape.kind = simulation::tool_kind_named(row.kind.view()).value_or(simulation::ToolKind::flat);
+  shape.radius = row.radius + row.wear_radius;
+  shape.corner_radius = row.corner_radius;
+  shape.flute_length = row.flute_length;
+  shape.overhang = row.overhang;
+  shape.shank_diameter = row.shank_diameter;
+  shape.holder_diameter = row.holder_diameter;
+  shape.holder_length = row.holder_length;
+  shape.length = row.length;
+  shape.point_angle = row.point_angle;
+  shape.taper_angle = row.taper_angle;
+  shape.orientation = row.orientation;
+  shape.angle_front = row.angle_front;
+  shape.angle_back = row.angle_back;
+  record.mount.nose_to_tip =
+      -Vector(row.length_x + row.wear_length_x, row.length_y, row.length + row.wear_length);
+  return record;
+}
+
+simulation::Pose pose_of(const kinematics::Frame& frame) {
+  simulation::Pose pose = simulation::Pose::Identity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    pose.linear().row(row) = Vector::Map(frame.rotation.rows()[k].data());
+    if (frame.geometry[k] < 0) continue;
+    pose.translation()[row] = frame.offset[frame.geometry[k]];
+  }
+  return pose;
+}
+
 simulation::ToolRecords tools_of(const channels::TablesConfig& tables) {
   simulation::ToolRecords records;
   for (const channels::ToolEdge& edge : tables.tools)
@@ -164,13 +175,7 @@ WorkpieceNews news_of(const channels::Workpiece& workpiece) {
   news.blank.blank =
       blank_of(shape.type, shape.size_mm.data(), shape.zero_mm.data(), shape.screen_resolution_mm);
   if (shape.type == type_of_file) read_solid(workpiece, news.blank.blank);
-  const kinematics::Frame& frame = workpiece.frame;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
-    news.blank.program_in_base.linear().row(row) = Vector::Map(frame.rotation.rows()[k].data());
-    if (frame.geometry[k] < 0) continue;
-    news.blank.program_in_base.translation()[row] = frame.offset[frame.geometry[k]];
-  }
+  news.blank.program_in_base = pose_of(workpiece.frame);
   news.placement = {Vector::Map(workpiece.position.position_mm.data()),
                     Vector::Map(workpiece.position.angles_deg.data())};
   return news;

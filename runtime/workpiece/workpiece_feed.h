@@ -14,6 +14,9 @@ namespace stanok::runtime {
 [[nodiscard]] simulation::ChannelGeometry geometry_of(const channels::MachineConfig& machine,
                                                       const channels::ChannelConfig& channel);
 [[nodiscard]] simulation::ToolRecords tools_of(const channels::TablesConfig& tables);
+[[nodiscard]] simulation::ToolRecord record_of(const channels::ToolRow& row);
+// W in B, of X, Y and Z.
+[[nodiscard]] simulation::Pose pose_of(const kinematics::Frame& frame);
 
 // Where a channel stands in one cycle.
 [[nodiscard]] simulation::Sample sample_of(const channels::ChannelOutput& output, double time_s);
