@@ -73,12 +73,22 @@ constexpr Parameter follow{.name = "follow",
                                "1: the answer names the request for the page behind it, as it "
                                "does without `page`; default 0"};
 
+constexpr auto system_choices = std::to_array<std::string_view>({"work", "part"});
+
+constexpr Parameter system_of_path{
+    .name = "system",
+    .type = ParameterType::choice,
+    .choices = system_choices,
+    .help =
+        "of the points: work, the workpiece system that is active there, or part, one that "
+        "stays on the part; default: work"};
+
 constexpr std::array of_read{file_of_program, offset};
 constexpr std::array of_write{file_of_program, whole_text, version, more, name_of_text};
 constexpr std::array of_remove{file_of_program, version};
 constexpr std::array of_check{file_of_program, unsaved_text, channel, name_of_text};
 constexpr std::array of_estimate{file_of_program, channel};
-constexpr std::array of_path{channel, path, page, follow};
+constexpr std::array of_path{channel, path, page, follow, system_of_path};
 
 constexpr auto text_rows = std::to_array<Method>({
     {.name = "program.read",
@@ -129,10 +139,11 @@ constexpr auto text_rows = std::to_array<Method>({
      .help = "end the check or estimate of this connection, which answers E9017"},
     {.name = "program.path",
      .parameters = of_path,
-     .help = "planned path of the tip in the workpiece system, from the simulation of the loaded "
-             "program; pages of points with the lines that lead to them",
+     .help = "planned path of the tip, from the simulation of the loaded program; pages of points "
+             "with the lines that lead to them",
      .result = R"({"channel":"integer","program":"string?","id":"integer?","pages":"integer",
-      "points":"integer","complete":"boolean","given_up":"string?","geometry":"any"})"},
+      "points":"integer","complete":"boolean","given_up":"string?","system":"string",
+      "part":"$carried?","geometry":"any"})"},
 });
 
 }  // namespace

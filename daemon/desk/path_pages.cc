@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/enum_names.h"
+#include "daemon/report/part_json.h"
 #include "protocol/geometry_bytes.h"
 
 namespace stanok::daemon {
@@ -28,10 +29,14 @@ json word_of(GivenUp why) {
   return why == GivenUp::no ? json(nullptr) : json(std::string(given_up_names[why]));
 }
 
-std::string base64_of(const PathPage& page) {
+using Places = std::array<float, 3> PathPage::Point::*;
+
+constexpr std::string_view on_part = "part";
+
+std::string base64_of(const PathPage& page, Places places) {
   protocol::GeometryBytes bytes;
   bytes.reserve(page.points.size());
-  for (const PathPage::Point& point : page.points) bytes.add(point.place_mm, point.line);
+  for (const PathPage::Point& point : page.points) bytes.add(point.*places, point.line);
   return bytes.base64();
 }
 
@@ -63,7 +68,7 @@ double feed_of(const PathPage::Point& point) {
   return std::round(static_cast<double>(point.feed_mm_per_min) * 10.0) / 10.0;
 }
 
-json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number) {
+json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number, Places places) {
   return {{"kind", protocol::GeometryKind::path},
           {"id", id},
           {"page", number},
@@ -73,7 +78,7 @@ json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number) {
           {"begins", ranges_where(page, &PathPage::Point::begins)},
           {"feeds", steps_of(page, feed_of)},
           {"tools", steps_of(page, [](const PathPage::Point& point) { return point.tool; })},
-          {"base64", base64_of(page)}};
+          {"base64", base64_of(page, places)}};
 }
 
 CommandResult path_is_gone() {
@@ -86,31 +91,41 @@ CommandResult path_is_gone() {
 CommandResult path_answer(const runtime::PlannedPath* path, int channel, const json& parameters) {
   const bool wants_one = parameters.contains("page") && parameters.value("follow", 0) == 0;
   const auto wanted_id = parameters.value("path", std::uint64_t{0});
+  const auto system = parameters.value("system", std::string("work"));
   if (path == nullptr) {
     if (wanted_id != 0) return path_is_gone();
     return json{{"channel", channel},  {"program", nullptr}, {"id", nullptr},
                 {"pages", 0},          {"points", 0},        {"complete", false},
-                {"given_up", nullptr}, {"geometry", nullptr}};
+                {"given_up", nullptr}, {"system", system},   {"part", nullptr},
+                {"geometry", nullptr}};
   }
   if (wanted_id != 0 && wanted_id != path->id()) return path_is_gone();
   const auto state = path->state();
   const auto number = parameters.value("page", std::size_t{0});
   const auto page = path->page(number);
-  json answer = {{"channel", channel},
-                 {"program", path->program()},
-                 {"id", path->id()},
-                 {"pages", state.pages},
-                 {"points", state.points},
-                 {"complete", state.is_complete},
-                 {"given_up", word_of(state.given_up)},
-                 {"geometry", nullptr}};
+  json answer = {
+      {"channel", channel},
+      {"program", path->program()},
+      {"id", path->id()},
+      {"pages", state.pages},
+      {"points", state.points},
+      {"complete", state.is_complete},
+      {"given_up", word_of(state.given_up)},
+      {"system", system},
+      {"part", state.part ? carried_json(state.part->scheme, state.part->in_base) : json(nullptr)},
+      {"geometry", nullptr}};
   if (page == nullptr) return answer;
-  answer["geometry"] = geometry_of(*page, path->id(), number);
+  const Places places =
+      system == on_part ? &PathPage::Point::on_part_mm : &PathPage::Point::place_mm;
+  answer["geometry"] = geometry_of(*page, path->id(), number, places);
   if (!wants_one && number + 1 < state.pages) {
-    answer["geometry"]["more"] = {
-        {"method", "program.path"},
-        {"params",
-         {{"channel", channel}, {"path", path->id()}, {"page", number + 1}, {"follow", 1}}}};
+    answer["geometry"]["more"] = {{"method", "program.path"},
+                                  {"params",
+                                   {{"channel", channel},
+                                    {"path", path->id()},
+                                    {"page", number + 1},
+                                    {"follow", 1},
+                                    {"system", system}}}};
   }
   return answer;
 }

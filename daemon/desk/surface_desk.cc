@@ -5,6 +5,7 @@
 
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/program_folder.h"
+#include "daemon/report/part_json.h"
 #include "protocol/geometry_bytes.h"
 #include "runtime/workpiece/stl_files.h"
 
@@ -62,8 +63,9 @@ json numbers(const simulation::Vector& vector) {
 json surface_answer(int channel, const SurfaceRequest& request,
                     const std::optional<SurfacePage>& page, const ReferenceSurface* reference) {
   if (!page) {
-    return {{"channel", channel}, {"workpiece", nullptr}, {"version", 0},       {"next", nullptr},
-            {"blank", nullptr},   {"cycles_left_out", 0}, {"geometry", nullptr}};
+    return {{"channel", channel},   {"workpiece", nullptr}, {"version", 0},
+            {"next", nullptr},      {"blank", nullptr},     {"base", nullptr},
+            {"cycles_left_out", 0}, {"geometry", nullptr}};
   }
   const simulation::Blank& blank = page->blank;
   return {{"channel", channel},
@@ -75,6 +77,7 @@ json surface_answer(int channel, const SurfaceRequest& request,
             {"size", numbers(blank.size)},
             {"zero", numbers(blank.zero)},
             {"resolution", blank.resolution}}},
+          {"base", carried_json(page->scheme, page->in_base)},
           {"cycles_left_out", page->cycles_left_out},
           {"geometry", geometry_of(*page, request.from, reference)}};
 }

@@ -7,6 +7,7 @@
 #include "base/enum_names.h"
 #include "base/place.h"
 #include "daemon/report/channel_display.h"
+#include "daemon/report/part_json.h"
 #include "daemon/report/process_status.h"
 #include "runtime/workpiece/workpiece_feed.h"
 
@@ -202,8 +203,10 @@ ChannelOutput output_of(const channels::CycleOutput& output, int channel) {
 StatusReport::StatusReport(RunningMachine& machine, const NotesOfChannels& notes)
     : machine_(machine), notes_(notes) {
   const auto& config = machine.file().machine;
-  for (const auto& channel : config.channels)
+  for (const auto& channel : config.channels) {
     geometries_.emplace(channel.id, runtime::geometry_of(config, channel));
+    part_places_.emplace(channel.id, runtime::PartPlace(config, channel));
+  }
 }
 
 // From the tip of the tool into the spindle, in the base of the scheme that is active.
@@ -218,6 +221,18 @@ json StatusReport::tool_direction(const ChannelOutput& output) const {
   for (const double part : {axis.x(), axis.y(), axis.z()})
     direction.push_back(std::round(part * finest) / finest + 0.0);
   return direction;
+}
+
+// In the part system of the planned path, or else in the one that would begin now.
+json StatusReport::on_part(const ChannelOutput& output, const runtime::PlannedPath* path) const {
+  const auto place = part_places_.find(output.id);
+  if (place == part_places_.end()) return nullptr;
+  auto part = path == nullptr ? std::nullopt : path->state().part;
+  if (!part) part = place->second.system_of(output);
+  const auto tool = part ? place->second.tool_in(*part, output) : std::nullopt;
+  if (!tool) return nullptr;
+  return on_part_json(*tool, place->second.work_in(*part, output),
+                      place->second.machine_in(*part, output));
 }
 
 json StatusReport::machine() const {
@@ -338,6 +353,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"m_codes", lang::names_of(block.codes, 'M')},
           {"tool", tool_at_work(output.tool, books.tables)},
           {"tool_direction", tool_direction(output)},
+          {"on_part", on_part(output, path.get())},
           {"spindles", spindles_of(config, output, books.bus)},
           {"override",
            {{"feed", output.feed_override * 100.0},

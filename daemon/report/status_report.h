@@ -9,6 +9,7 @@
 
 #include "daemon/cycle/running_machine.h"
 #include "daemon/report/channel_notes.h"
+#include "runtime/foresight/part_place.h"
 #include "simulation/machine_geometry.h"
 
 namespace stanok::daemon {
@@ -43,6 +44,8 @@ class StatusReport {
     drives::BusStatus bus;
   };
   [[nodiscard]] nlohmann::json tool_direction(const channels::ChannelOutput& output) const;
+  [[nodiscard]] nlohmann::json on_part(const channels::ChannelOutput& output,
+                                       const runtime::PlannedPath* path) const;
   enum class AlarmChoice : std::uint8_t { all, active };
   [[nodiscard]] Books books() const;
   [[nodiscard]] nlohmann::json channel(const channels::ChannelConfig& config,
@@ -56,6 +59,7 @@ class StatusReport {
   RunningMachine& machine_;
   const NotesOfChannels& notes_;
   std::map<int, simulation::MachineGeometry> geometries_;  // by channel
+  std::map<int, runtime::PartPlace> part_places_;          // likewise
 };
 
 // Output of a channel by its id; the output of a channel that has none yet is all zeros.

@@ -208,9 +208,10 @@ class ProgramMethods:
         path: int | None = None,
         page: int | None = None,
         follow: int | None = None,
+        system: Literal["work", "part"] | None = None,
     ) -> dict[str, Any]:
-        """Planned path of the tip in the workpiece system, from the simulation of the loaded program; pages of
-        points with the lines that lead to them.
+        """Planned path of the tip, from the simulation of the loaded program; pages of points with the lines that
+        lead to them.
 
         ``program.path``, for the role observer.
 
@@ -220,8 +221,10 @@ class ProgramMethods:
             page: page of the path, from 0; default: all of them, one by one; 0 to 1000000.
             follow: 1: the answer names the request for the page behind it, as it does without `page`;
                 default 0; 0 to 1.
+            system: of the points: work, the workpiece system that is active there, or part, one that stays
+                on the part; default: work.
         """
-        return self._call("program.path", _given(channel=channel, path=path, page=page, follow=follow))
+        return self._call("program.path", _given(channel=channel, path=path, page=page, follow=follow, system=system))
 
     def load(
         self,

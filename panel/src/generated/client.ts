@@ -136,6 +136,12 @@ export interface Methods {
       line: number;
       m_codes: string[];
       name: string;
+      on_part: {
+        direction: number[];
+        machine: unknown;
+        tip: number[];
+        work: unknown;
+      } | null;
       optional_stop: boolean;
       override: {
         feed: number;
@@ -345,13 +351,14 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** planned path of the tip in the workpiece system, from the simulation of the loaded program; pages of points with the lines that lead to them */
+  /** planned path of the tip, from the simulation of the loaded program; pages of points with the lines that lead to them */
   "program.path": {
     params: {
       channel?: number;
       path?: number;
       page?: number;
       follow?: number;
+      system?: "work" | "part";
     };
     result: {
       channel: number;
@@ -360,8 +367,13 @@ export interface Methods {
       given_up: string | null;
       id: number | null;
       pages: number;
+      part: {
+        pose: number[];
+        scheme: number;
+      } | null;
       points: number;
       program: string | null;
+      system: string;
     };
   };
   /** compile a program; errors come with file, line and column */
@@ -1243,6 +1255,10 @@ export interface Methods {
       reference?: string;
     };
     result: {
+      base: {
+        pose: number[];
+        scheme: number;
+      } | null;
       blank: unknown;
       channel: number;
       cycles_left_out: number;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <numbers>
 #include <thread>
 
 #include "config/files/grinding_file.h"
@@ -174,6 +175,7 @@ TEST_F(ProgramDeskTest, PagesOfAPathHaveTheirPointsAndLines) {
   const std::size_t points = runtime::PlannedPath::page_points + 3;
   for (std::size_t k = 0; k < points; ++k) {
     machine.planned->add({.place_mm = {static_cast<float>(k), 0.5F, -1.0F},
+                          .on_part_mm = {static_cast<float>(k), 8.5F, -9.0F},
                           .line = static_cast<std::uint32_t>(2 * k),
                           .begins = k == 0,
                           .rapid = k == 2 || k == 3 || k + 1 == points});
@@ -202,6 +204,27 @@ TEST_F(ProgramDeskTest, PagesOfAPathHaveTheirPointsAndLines) {
   EXPECT_FALSE(second["geometry"].contains("more"));
   EXPECT_FALSE((*desk.path({{"page", 0}}, 1))["geometry"].contains("more")) << "one is wanted";
   EXPECT_EQ(second["geometry"]["rapid"], json::parse("[[2,3]]"));
+}
+
+TEST_F(ProgramDeskTest, AllPagesOfAPathLieInTheSystemThatWasAskedFor) {
+  machine.planned = std::make_shared<runtime::PlannedPath>(5, "a.nc");
+  machine.planned->lie_on(
+      {.scheme = 2,
+       .in_base =
+           simulation::Pose(Eigen::Translation3d(1.0, -2.0, 3.5) *
+                            Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ()))});
+  for (std::size_t k = 0; k < runtime::PlannedPath::page_points + 1; ++k)
+    machine.planned->add({.place_mm = {1.0F, 0.5F, -1.0F}, .on_part_mm = {2.0F, 8.5F, -9.0F}});
+  machine.planned->complete();
+  const auto first = *desk.path({{"system", "part"}}, 1);
+  EXPECT_EQ(first["system"], "part");
+  EXPECT_EQ(first["part"], json::parse(R"({"scheme":2,"pose":[0,-1,0,1,1,0,0,-2,0,0,1,3.5]})"));
+  const auto second = *desk.path(first["geometry"]["more"]["params"], 1);
+  const std::string bytes = decoded(second["geometry"]["base64"].get<std::string>());
+  EXPECT_EQ(value_at<float>(bytes, 1), 8.5F);
+  const auto in_work = *desk.path({{"page", 1}}, 1);
+  EXPECT_EQ(in_work["system"], "work");
+  EXPECT_EQ(value_at<float>(decoded(in_work["geometry"]["base64"].get<std::string>()), 1), 0.5F);
 }
 
 TEST_F(ProgramDeskTest, PointsBeyondTheBoundAreLeftOut) {
