@@ -1,5 +1,5 @@
 // The path that is drawn is the one that the machine follows: lines in the graphics memory of the browser beside the
-// programmed point of every cycle that `stanok simulate --tip-trace` writes. In five situations.
+// programmed point of every cycle that `stanok simulate --tip-trace` writes, put on the part by hand. In six situations.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -24,8 +24,34 @@ G1 X-20 Y-6
 G0 Z20
 `;
 const end = 'G53 G0 Z0\nM30\n';
+const length_of_tool_mm = 130;
 const flat = head + figure + end;
-const tilted = `${head}G68.2 X0 Y-30 Z0 I0 J25 K0\nG53.1\n${figure}G69\n${end}`;
+const twoOffsets = `${head}${figure}G10 L2 P2 X25 Y-15 Z70\nG55\n${figure}${end}`;
+// Behind G69 no formula as short as this one says where the tilted table has the part: nothing moves there.
+const tilted = `${head}G68.2 X0 Y-30 Z0 I0 J25 K0\nG53.1\n${figure}G69\nM30\n`;
+function turnedAboutX([x, y, z], angle_deg) {
+  const angle = (angle_deg * Math.PI) / 180;
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return [x, c * y - s * z, s * y + c * z];
+}
+/** J tilts about X: the plane as its matrix says it, zero at Y-30. */
+function onTilted(point) {
+  const [x, y, z] = turnedAboutX(point, 25);
+  return [x, y - 30, z];
+}
+/** While the table turns about A, 35 mm behind the zero of the part and 100 mm below it, the tip goes round it there. */
+function whileATurns(point, a) {
+  const [x, y, z] = turnedAboutX([point[0], point[1] - 35, point[2] + 100], -a);
+  return [x, y + 35, z - 100];
+}
+/** The lines of a text from the one that contains `from` to the one before the next that is `to`, counted from 1. */
+function linesOf(text, from, to) {
+  const lines = text.split('\n');
+  const first = lines.findIndex((line) => line.includes(from));
+  const last = lines.findIndex((line, k) => k > first && line === to);
+  return { first: first + 1, last };
+}
+const within = ({ first, last }, line) => line >= first && line <= last;
 const fiveAxes = `G21 G90 G17 G40 G49 G69 G80 G94
 T2 M6
 G54
@@ -73,8 +99,8 @@ const farthest = (points, lines) =>
 
 const pairs = (points) => points.slice(1).map((point, k) => [points[k], point]);
 
-/** The programmed point of every cycle in which it moves, as lines from the cycle before. */
-function tracedBy(folder, machine, text) {
+/** The programmed point of every cycle in which it moves, put on the part, as lines from the cycle before. */
+function tracedBy(folder, machine, text, onPart) {
   const [program, file] = [join(folder, 'part.nc'), join(folder, 'tip.csv')];
   writeFileSync(program, text);
   const words = ['simulate', program, '--machine', machine, '--tip-trace', `1=${file}`];
@@ -83,7 +109,13 @@ function tracedBy(folder, machine, text) {
   const columns = ['x', 'y', 'z'].map((word) => first.split(',').indexOf(word));
   const points = rows.map((row) => {
     const values = row.split(',').map(Number);
-    return columns.map((column) => values[column] ?? 0);
+    const line = values[first.split(',').indexOf('line')] ?? 0;
+    const a = values[first.split(',').indexOf('a')] ?? 0;
+    return onPart(
+      columns.map((column) => values[column] ?? 0),
+      line,
+      a,
+    );
   });
   return pairs(points).filter(([a, b]) => apart(a, b) > 0);
 }
@@ -91,7 +123,7 @@ function tracedBy(folder, machine, text) {
 /** Where the first line of the daemon's path begins, and how many lines it has. */
 async function planned(client) {
   const path = await until('the whole path', async () => {
-    const answer = await client.call('program.path', { channel: 1, page: 0 });
+    const answer = await client.call('program.path', { channel: 1, page: 0, system: 'part' });
     return answer.complete && answer;
   });
   assert.equal(path.pages, 1);
@@ -173,13 +205,13 @@ function situations(name, machine, act) {
       writeFileSync(join(stage.programs, 'part.nc'), text);
       await stage.client.call('program.load', { program: 'part.nc' });
     };
-    here.compare = async (context, text) => {
+    here.compare = async (context, text, onPart = (point) => point) => {
       const drawn = await drawnOn(here.page, await planned(stage.client));
-      compare(context, drawn, tracedBy(folder, here.machine, text));
+      compare(context, drawn, tracedBy(folder, here.machine, text, onPart));
     };
-    here.check = async (context, text) => {
+    here.check = async (context, text, onPart) => {
       await here.load(text);
-      await here.compare(context, text);
+      await here.compare(context, text, onPart);
     };
     act(here);
   });
@@ -214,8 +246,63 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
     // Feed and rapid.
     assert.equal(new Set(of.others).size, 2);
   });
-  test('on a tilted plane', (context) => here.check(context, tilted));
-  test('with five axes', (context) => here.check(context, fiveAxes));
+  test('in another work offset', (context) => {
+    const second = linesOf(twoOffsets, 'G55', 'M30');
+    // G54 of this machine has Z60.
+    return here.check(context, twoOffsets, ([x, y, z], line) =>
+      within(second, line) ? [x + 25, y - 15, z + 10] : [x, y, z],
+    );
+  });
+  test('on a tilted plane', (context) => {
+    const plane = linesOf(tilted, 'G68.2', 'G69');
+    const turning = linesOf(tilted, 'G53.1', 'G0 X-20 Y-6 Z40');
+    return here.check(context, tilted, (point, line, a) => {
+      if (!within(plane, line)) return point;
+      return within(turning, line) ? whileATurns(onTilted(point), a) : onTilted(point);
+    });
+  });
+  test('with five axes', (context) => {
+    const led = linesOf(fiveAxes, 'G43.4', 'G49');
+    return here.check(context, fiveAxes, ([x, y, z], line) =>
+      within(led, line) ? [x, y, z] : [x, y, z - length_of_tool_mm],
+    );
+  });
+  test('the table turns where the machine stands still', async () => {
+    const { page, stage } = here;
+    await here.load(flat);
+    await stage.switchOn();
+    const canvas = page.locator('canvas');
+    const { x, y, width, height } = await canvas.boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2 + 60, y + height / 2 + 20, { steps: 4 });
+    await page.mouse.up();
+    const stands = () => canvas.evaluate(({ dataset }) => dataset.how === 'standing');
+    const from = async () => {
+      await until('a picture that stands', stands);
+      return page.evaluate(() => window.drawnFrom());
+    };
+    const seen = await from();
+    await stage.client.call('mdi', { text: 'G0 A-20', channel: 1, wait: 'done' });
+    await until('the tool leans on the part', async () => {
+      const { on_part: on } = await stage.status();
+      return Math.abs(on.direction[2] - Math.cos((20 * Math.PI) / 180)) < 1e-5;
+    });
+    assert.ok(far(await from(), seen) < 1e-6, 'the part stands');
+    const button = page.getByRole('button', { name: 'Machine stands' });
+    await button.click();
+    await until('another picture', async () => far(await from(), seen) > 1e-3);
+    const turned = await from();
+    // Columns of both matrices are those of turns: what lies between them turns about X by 20 deg.
+    const turn = (row, column) =>
+      [0, 1, 2].reduce((sum, k) => sum + seen[4 * row + k] * turned[4 * column + k], 0);
+    assert.ok(Math.abs(turn(0, 0) - 1) < 1e-4, 'about X');
+    const cosine = Math.cos((20 * Math.PI) / 180);
+    assert.ok(Math.abs(turn(1, 1) - cosine) < 1e-4 && Math.abs(turn(2, 2) - cosine) < 1e-4);
+    await button.click();
+    await until('the picture from before', async () => far(await from(), seen) < 1e-6);
+    await stage.client.call('mdi', { text: 'G0 A0', channel: 1, wait: 'done' });
+  });
   test('in colours by feed and by tool, which is remembered', async () => {
     const { page } = here;
     const colours = page.getByLabel('Colours of the path');

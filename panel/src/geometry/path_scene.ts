@@ -1,5 +1,8 @@
 // The picture of the path view: planned path, what is done of it, the trace of the live positions, the
 // tool, work zero and a grid. It draws when something changed, and knows nothing of the framework.
+//
+// All of it lies in the part system (docs/reference/protocol.md), which stands still in the picture, or
+// turns with the table while the machine does.
 import {
   AxesHelper,
   Box3,
@@ -17,6 +20,7 @@ import {
   Matrix4,
   Mesh,
   MeshBasicMaterial,
+  MeshLambertMaterial,
   PerspectiveCamera,
   Raycaster,
   Scene,
@@ -28,6 +32,7 @@ import {
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { magnification } from '../style/resolved';
 import { Levels, type Sight } from './levels';
+import { matrixOf, type Carried, type Pose } from './pose';
 import { Pairs } from './pairs';
 import { PicturePace } from './picture_pace';
 import { PointColours, type Colour, type Painter } from './point_colours';
@@ -55,6 +60,8 @@ export interface ToolShape {
   radius: number;
   length: number;
   ball: boolean;
+  /** Of the holder; 0: it is not known. */
+  holder: { radius: number; length: number };
 }
 
 export interface Colours {
@@ -79,6 +86,10 @@ const fineness = {
   standing: { off_px: 0.5, segmentsAtMost: 60_000 },
 } as const;
 
+// Of the housing of the spindle, where the machine stands still, mm.
+const housing = { radius: 45, length: 140 } as const;
+const plateThickness = 8;
+
 const firstLook: Record<Lie, Look> = { milled: 'iso', turned: 'front' };
 
 /** What is known of a track, and which of its segments are in the picture. */
@@ -97,7 +108,16 @@ export class PathScene {
   readonly #scene = new Scene();
   readonly #camera = new PerspectiveCamera(40, 1, 0.1, 50_000);
   readonly #controls: OrbitControls;
+  /** From the part system to the picture. */
+  readonly #root = new Group();
+  readonly #fromRoot = new Matrix4();
+  #carried: Carried | null = null;
+  #direction: Place = [0, 0, 1];
   readonly #tool = new Group();
+  readonly #housing: Mesh;
+  readonly #plate: Mesh;
+  /** Of the workpiece system that is active. */
+  readonly #work = new AxesHelper(14);
   readonly #grid = new GridHelper(1000, 20);
   readonly #materials = {
     plan: colouredByEnd(new LineBasicMaterial()),
@@ -106,6 +126,7 @@ export class PathScene {
     marked: new LineBasicMaterial({ depthTest: false }),
     measured: new LineBasicMaterial({ depthTest: false }),
     tool: new MeshBasicMaterial({ transparent: true, opacity: 0.55 }),
+    machine: new MeshLambertMaterial({ transparent: true, opacity: 0.35 }),
   };
   readonly #planned: Shown;
   readonly #traced: Shown;
@@ -169,15 +190,26 @@ export class PathScene {
     this.#measured = new Line(new BufferGeometry(), this.#materials.measured);
     this.#measured.frustumCulled = false;
     this.#measured.visible = this.#limits.visible = false;
-    this.#scene.add(this.#grid, new AxesHelper(20), this.#tool, this.workpiece.group);
-    this.#scene.add(this.#measured, this.#limits);
+    const { radius, length } = housing;
+    this.#housing = new Mesh(
+      new CylinderGeometry(radius, radius, length, 32),
+      this.#materials.machine,
+    );
+    this.#housing.rotation.x = Math.PI / 2;
+    this.#plate = new Mesh(new CylinderGeometry(1, 1, plateThickness, 48), this.#materials.machine);
+    this.#plate.matrixAutoUpdate = this.#work.matrixAutoUpdate = false;
+    this.#root.matrixAutoUpdate = false;
+    this.#housing.visible = this.#plate.visible = this.#work.visible = false;
+    this.#root.add(this.#grid, new AxesHelper(20), this.#work, this.#tool, this.workpiece.group);
+    this.#root.add(this.#measured, this.#limits, this.#plate);
+    this.#scene.add(this.#root);
     this.#renderer.localClippingEnabled = true;
     // The light comes from where the picture is looked at.
     const light = new DirectionalLight('white', 1.6);
     light.position.set(0.4, 0.6, 1);
     this.#camera.add(light);
     this.#scene.add(this.#camera, new HemisphereLight('white', '#8a8f98', 1.4));
-    for (const { line } of Object.values(this.#lines)) this.#scene.add(line);
+    for (const { line } of Object.values(this.#lines)) this.#root.add(line);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener('change', () => this.draw());
     this.#controls.addEventListener('start', () => (this.#follows = false));
@@ -216,6 +248,7 @@ export class PathScene {
     (this.#limits.material as LineBasicMaterial).color.set(colours.rapid);
     this.#materials.done.color.set(colours.done);
     this.#materials.tool.color.set(colours.tool);
+    this.#materials.machine.color.set(colours.line);
     const lines = this.#grid.material;
     lines.color.set(colours.line);
     lines.vertexColors = false;
@@ -257,7 +290,7 @@ export class PathScene {
   }
 
   /** The tool stands with its tip at the origin of its group. */
-  tool({ radius, length, ball }: ToolShape): void {
+  tool({ radius, length, ball, holder }: ToolShape): void {
     this.#tool.clear();
     const r = Math.max(radius, 0.5);
     const h = Math.max(length, 4 * r);
@@ -268,6 +301,17 @@ export class PathScene {
     shank.rotation.x = Math.PI / 2;
     shank.position.z = (h + (ball ? r : 0)) / 2;
     this.#tool.add(shank);
+    if (holder.radius > 0 && holder.length > 0) {
+      const body = new Mesh(
+        new CylinderGeometry(holder.radius, holder.radius, holder.length, 24),
+        this.#materials.tool,
+      );
+      body.rotation.x = Math.PI / 2;
+      body.position.z = h + holder.length / 2;
+      this.#tool.add(body);
+    }
+    this.#housing.position.z = h + holder.length + housing.length / 2;
+    this.#tool.add(this.#housing);
     this.direct(this.lie === 'turned' ? [1, 0, 0] : [0, 0, 1]);
     if (ball) {
       const tip = new Mesh(new SphereGeometry(r, 24, 12), this.#materials.tool);
@@ -279,8 +323,55 @@ export class PathScene {
 
   /** Along which the tool stands, from its tip into the spindle. */
   direct(direction: Place): void {
+    if (direction.every((part, k) => part === this.#direction[k])) return;
+    this.#direction = [...direction];
     this.#tool.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...direction));
     this.draw();
+  }
+
+  /** How the workpiece system that is active lies; null: it is not known. */
+  work(pose: Pose | null): void {
+    const matrix = matrixOf(pose ?? []);
+    const isElsewhere = !matrix.equals(new Matrix4());
+    if (isElsewhere === this.#work.visible && matrix.equals(this.#work.matrix)) return;
+    this.#work.visible = isElsewhere;
+    this.#work.matrix.copy(matrix);
+    this.draw();
+  }
+
+  /** The machine stands still in the picture, and the part turns with its table: `machine` is how it lies
+      in the part system; null: the part stands still. `part` is how that lies on a table; null: there is
+      no table that turns. */
+  stand(machine: Pose | null, part: Carried | null): void {
+    const turned = matrixOf(machine ?? []);
+    const isSame = turned.equals(this.#fromRoot) && part === this.#carried;
+    if (isSame && this.#housing.visible === (machine !== null)) return;
+    this.#carried = part;
+    this.#fromRoot.copy(turned);
+    this.#root.matrix.copy(this.#fromRoot).invert();
+    this.#root.updateMatrixWorld(true);
+    const isOther = this.#housing.visible !== (machine !== null);
+    this.#housing.visible = machine !== null;
+    this.#plate.visible = machine !== null && part !== null;
+    if (this.#plate.visible && part !== null) {
+      const radius = this.#radiusAbout(matrixOf(part.pose));
+      this.#plate.matrix
+        .copy(matrixOf(part.pose))
+        .invert()
+        .multiply(new Matrix4().makeTranslation(0, 0, -plateThickness / 2))
+        .multiply(new Matrix4().makeRotationX(Math.PI / 2))
+        .multiply(new Matrix4().makeScale(radius, 1, radius));
+    }
+    this.workpiece.turned();
+    if (isOther && this.#follows) this.#frame();
+    else this.draw();
+  }
+
+  // So that a plate about the zero of the base carries what is drawn at feed.
+  #radiusAbout(base: Matrix4): number {
+    const box = this.#box().applyMatrix4(base);
+    const [x, y] = [Math.max(-box.min.x, box.max.x), Math.max(-box.min.y, box.max.y)];
+    return Math.min(Math.max(Math.hypot(x, y), 40), 600);
   }
 
   /** The box in which the axes travel; null: it is not shown. */
@@ -312,7 +403,8 @@ export class PathScene {
   moveTool(x: number, y: number, z: number): void {
     this.#tool.position.set(x, y, z);
     const mayGrow = this.#follows && this.planned.count === 0;
-    if (mayGrow && !this.#framed.containsPoint(this.#tool.position)) this.#frame();
+    const there = new Vector3(x, y, z).applyMatrix4(this.#root.matrix);
+    if (mayGrow && !this.#framed.containsPoint(there)) this.#frame();
     this.draw();
   }
 
@@ -365,12 +457,14 @@ export class PathScene {
   #sight(how: keyof typeof fineness): Sight {
     const camera = this.#camera;
     camera.updateMatrixWorld();
-    const seen = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const seen = new Matrix4()
+      .multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse)
+      .multiply(this.#root.matrix);
     const { off_px, segmentsAtMost } = fineness[how];
     const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / (this.#screen[1] * this.#ratio);
     return {
       frustum: this.#frustum.setFromProjectionMatrix(seen),
-      eye: camera.position,
+      eye: camera.position.clone().applyMatrix4(this.#fromRoot),
       tolerance: off_px * pixel,
       segmentsAtMost,
     };
@@ -382,13 +476,18 @@ export class PathScene {
     this.#frame();
   }
 
-  // Puts the planned path into view, or else the trace and the tool, with some room for what comes.
-  #frame(): void {
+  // In the part system.
+  #box(): Box3 {
     const bounds = (this.planned.count > 0 ? this.planned : this.traced).bounds();
-    const box = this.#framed.makeEmpty();
+    const box = new Box3();
     if (bounds !== null) box.set(new Vector3(...bounds.low), new Vector3(...bounds.high));
     if (this.planned.count === 0) box.expandByPoint(this.#tool.position);
-    box.union(this.workpiece.bounds());
+    return box.union(this.workpiece.bounds());
+  }
+
+  // Puts the planned path into view, or else the trace and the tool, with some room for what comes.
+  #frame(): void {
+    const box = this.#framed.copy(this.#box()).applyMatrix4(this.#root.matrix);
     const centre = box.getCenter(new Vector3());
     const size = Math.max(box.getSize(new Vector3()).length() * 1.1, 40);
     box.expandByScalar(size / 20);
@@ -424,7 +523,7 @@ export class PathScene {
     const within = this.#camera.position.distanceTo(this.#controls.target) / 100;
     const { levels } = this.planned.count > 0 ? this.#planned : this.#traced;
     levels.grow();
-    return levels.metBy(caster.ray, within);
+    return levels.metBy(caster.ray.applyMatrix4(this.#fromRoot), within);
   }
 
   draw(): void {
@@ -456,6 +555,8 @@ export class PathScene {
     for (const material of Object.values(this.#materials)) material.dispose();
     this.#measured.geometry.dispose();
     this.#limits.dispose();
+    this.#housing.geometry.dispose();
+    this.#plate.geometry.dispose();
     this.#renderer.dispose();
   }
 }

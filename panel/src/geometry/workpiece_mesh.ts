@@ -13,6 +13,7 @@ import {
   Vector3,
 } from 'three';
 import type { Colour } from './point_colours';
+import { between, type Carried } from './pose';
 import { colourOfTool } from './tool_colours';
 
 export interface Section {
@@ -40,7 +41,9 @@ export class WorkpieceMesh {
   #section: Section | null = null;
   #triangles = 0;
 
-  constructor(private readonly changed: () => void) {}
+  constructor(private readonly changed: () => void) {
+    this.group.matrixAutoUpdate = false;
+  }
 
   get triangles(): number {
     return this.#triangles;
@@ -67,13 +70,31 @@ export class WorkpieceMesh {
     this.changed();
   }
 
+  /** Its triangles lie in the system `own`, and are drawn in `part`. */
+  lie(own: Carried | null, part: Carried | null): void {
+    this.group.matrix.copy(between(own, part));
+    this.group.updateMatrixWorld(true);
+    this.turned();
+    this.changed();
+  }
+
+  /** What it lies in has another place in the picture. */
+  turned(): void {
+    this.#cut();
+  }
+
   section(section: Section | null): void {
     this.#section = section;
     this.#cut();
     this.changed();
   }
 
+  /** In the system in which it is drawn. */
   bounds(): Box3 {
+    return this.#own().applyMatrix4(this.group.matrix);
+  }
+
+  #own(): Box3 {
     const box = new Box3();
     for (const { geometry } of this.#bricks.values()) {
       if (geometry.boundingBox !== null) box.union(geometry.boundingBox);
@@ -134,8 +155,9 @@ export class WorkpieceMesh {
     }
     if (this.#section === null) return;
     const { axis, part } = this.#section;
-    const { min, max } = this.bounds();
+    const { min, max } = this.#own();
     const place = new Vector3().lerpVectors(min, max, part);
     this.#plane.setFromNormalAndCoplanarPoint(new Vector3(...normals[axis]), place);
+    this.#plane.applyMatrix4(this.group.matrixWorld);
   }
 }

@@ -1,5 +1,6 @@
 // The path of the chosen channel: planned, by pages, when the daemon has it, and the trace of the live
 // positions. The points stay outside of the framework; what it watches is only how many there are.
+import type { Carried } from '../geometry/pose';
 import type { Lie, Standpoint } from '../geometry/path_scene';
 import { pathKind, readPage } from '../geometry/page_frame';
 import { reached } from '../geometry/progress';
@@ -23,6 +24,12 @@ const after_refusal_ms = 2000;
 const pause = (time_ms: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, time_ms));
 
+/** Of the tool on the part; before the daemon knows it, the programmed point. */
+export function tipOf({ on_part, position = {} }: Channel): [number, number, number] {
+  const [x, y, z] = on_part?.tip ?? [position['X'], position['Y'], position['Z']];
+  return [x ?? 0, y ?? 0, z ?? 0];
+}
+
 export class PathFollower {
   readonly plan = new PagedTrack();
   readonly trace = new Track();
@@ -31,6 +38,8 @@ export class PathFollower {
   done = $state(0);
   /** Why the planned path does not lead to the end of the program; null: it does, or it still grows. */
   givenUp = $state<GivenUp | null>(null);
+  /** The part system, in which the path lies; null: not known. */
+  part = $state.raw<Carried | null>(null);
   /** What the path belongs to: as long as it is the same, the picture is seen from where it was. */
   of = '';
   /** From where the picture was seen when another view was opened. */
@@ -42,7 +51,7 @@ export class PathFollower {
   /** Looks at what a channel does now; true when the tool has moved. */
   follow(channel: Channel): boolean {
     this.#askPlan(channel);
-    const { X = 0, Y = 0, Z = 0 } = channel.position ?? {};
+    const [X, Y, Z] = tipOf(channel);
     const line = channel.line ?? 0;
     this.done = this.planned > 0 ? reached(this.plan.track, line, [X, Y, Z], this.done) : 0;
     const [x, y, z] = this.#last;
@@ -77,6 +86,7 @@ export class PathFollower {
     this.plan.expect();
     this.planned = this.done = 0;
     this.givenUp = null;
+    this.part = null;
     if (wanted !== '') void this.#readPlan(wanted, id);
   }
 
@@ -84,8 +94,9 @@ export class PathFollower {
   async #readPlan(wanted: string, channel: number): Promise<void> {
     try {
       for (let page = 0; wanted === this.#asked;) {
-        const answer = await store.call('program.path', { channel, page });
+        const answer = await store.call('program.path', { channel, page, system: 'part' });
         if (wanted !== this.#asked) return;
+        this.part ??= answer.part;
         if (answer.geometry != null && page < answer.pages) {
           const geometry = answer.geometry as Geometry;
           this.plan.say(geometry.id, geometry.page, geometry);

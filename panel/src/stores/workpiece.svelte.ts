@@ -1,5 +1,6 @@
 // The workpiece of a channel while it is cut: triangles by bricks, of which only those that have changed
 // are asked for again. The triangles stay outside of what the framework watches.
+import type { Carried } from '../geometry/pose';
 import { surfaceKind } from '../geometry/page_frame';
 import { Refusal, type Result } from '../rpc/json_rpc';
 import { store } from './machine.svelte';
@@ -31,6 +32,8 @@ export class WorkpieceFollower {
   workpiece = $state(0);
   /** Cycles that the daemon was too late for: the part may be behind the machine. */
   leftOut = $state(0);
+  /** The workpiece system in which its triangles lie. */
+  base = $state.raw<Carried | null>(null);
   /** Why the surface does not come: of the reference, most often. */
   failed = $state('');
   #since = 0;
@@ -87,6 +90,7 @@ export class WorkpieceFollower {
         this.shown.clear();
       }
       this.leftOut = answer.cycles_left_out;
+      if (JSON.stringify(answer.base) !== JSON.stringify(this.base)) this.base = answer.base;
       version ??= answer.version;
       await this.#show(answer.geometry as Geometry);
       from = answer.next;

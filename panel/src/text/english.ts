@@ -608,6 +608,7 @@ export const english = {
   'unit.mm_rev': 'mm/rev',
   'unit.m_min': 'm/min',
   'unit.mm_s': 'mm/s',
+  'path.machine': 'Machine stands',
   'path.limits': 'Limits',
   'path.measure': 'Measure',
   'path.measure_text': 'Press two points of the path.',

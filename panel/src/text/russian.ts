@@ -603,6 +603,7 @@ export const russian: Record<keyof typeof english, string> = {
   'unit.mm_rev': 'мм/об',
   'unit.m_min': 'м/мин',
   'unit.mm_s': 'мм/с',
+  'path.machine': 'Станок неподвижен',
   'path.limits': 'Пределы',
   'path.measure': 'Измерить',
   'path.measure_text': 'Нажмите на две точки траектории.',
