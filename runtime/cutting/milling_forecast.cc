@@ -51,9 +51,9 @@ class CutObserver final : public CycleObserver {
         sample_of(channel, static_cast<double>(output.cycle) * cycle_s_);
     feed_.take(sample, channel.tool_row, channel.workpiece);
     const auto mill = feed_.follower().milling_tool();
-    const bool cuts = mill && channel.feed_commanded > 0.0 && sample.spindle_turns &&
-                      (request_.tool == 0 || sample.tool == request_.tool);
-    if (!cuts) {
+    const bool is_cutting = mill && channel.feed_commanded > 0.0 && sample.spindle_turns &&
+                            (request_.tool == 0 || sample.tool == request_.tool);
+    if (!is_cutting) {
       tip_.reset();
       return;
     }
