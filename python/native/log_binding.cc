@@ -7,16 +7,15 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stanok_messages/event_t.hpp>
 
 #include "client/offline/log/log_text.h"
 #include "protocol/json_text.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
 #include "python/native/setpoint_columns.h"
-#include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
 #include "recording/format/encode.h"
+#include "recording/read/event_walk.h"
 #include "recording/read/log_contents.h"
 
 namespace stanok::python {
@@ -112,37 +111,35 @@ class SetpointCursor {
 class EventCursor {
  public:
   explicit EventCursor(LogHandle log)
-      : log_(std::move(log)), reader_(value_or_raise(recording::LogReader::open(log_->file))) {}
+      : log_(std::move(log)), events_(value_or_raise(recording::EventWalk::open(log_->file))) {}
 
   // The next `count` at most, as a list of JSON.
   [[nodiscard]] std::string next(std::int64_t count) {
     const py::gil_scoped_release others_run;
     ordered_json list = ordered_json::array();
     while (static_cast<std::int64_t>(list.size()) < count) {
-      const auto event = reader_.next();
-      if (!event) break;
-      if (recording::topic_of(event->channel) != recording::name_of(recording::Topic::event))
-        continue;
-      if (const auto message = recording::decode<event_t>(event->bytes))
-        list.push_back(json_of(*message));
+      const auto named = events_.next();
+      if (!named) break;
+      list.push_back(json_of(*named));
     }
     return protocol::json_text(list);
   }
 
  private:
-  [[nodiscard]] ordered_json json_of(const event_t& event) const {
+  [[nodiscard]] ordered_json json_of(const recording::NamedEvent& named) const {
+    const event_t& event = named.event;
     const std::int64_t since_first = event.utime - log_->contents.utime_first;
     return {{"cycle", event.cycle},
             {"time_s", static_cast<double>(since_first) * 1e-6},
             {"channel", event.channel},
             {"code", std::string(recording::text_of(event.code))},
             {"text", std::string(recording::text_of(event.text))},
-            {"file", ""},
+            {"file", named.file},
             {"line", event.line}};
   }
 
   LogHandle log_;
-  recording::LogReader reader_;
+  recording::EventWalk events_;
 };
 
 }  // namespace

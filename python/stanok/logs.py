@@ -77,7 +77,10 @@ class Log:
         return self._setpoints(cursor.next(2**62), number)
 
     def events(self) -> Iterator[Event]:
-        """What happened, in the order of the file: alarms, warnings, messages of programs. ``file`` is empty."""
+        """What happened, in the order of the file: alarms, warnings, messages of programs.
+
+        ``file`` is that of the program, as a simulation names it; empty where the log does not tell.
+        """
         cursor = _native.EventCursor(self._native)
         while True:
             told = json.loads(cursor.next(_events_at_a_time))

@@ -93,11 +93,39 @@ class Logs(InFolder):
         program = self.write("part.nc", "G1 X1 F600\n(MSG, half way)\nX2\n(MSG, done)\nM30\n")
         log = self.simulated(MILL, program)
         simulated = stanok.simulate(MILL, program).events
-        told = [(event.cycle, event.channel, event.code, event.text, event.line)
-                for event in stanok.open_log(log).events()]
-        for event in simulated:
-            self.assertIn((event.cycle, event.channel, event.code, event.text, event.line), told)
+        self.expect_told(log, simulated)
         self.assertGreaterEqual(len(simulated), 2)
+
+    def expect_told(self, log, events):
+        """The log tells of these events, and of the file of each."""
+        told = [(event.cycle, event.channel, event.code, event.text, event.file, event.line)
+                for event in stanok.open_log(log).events()]
+        for event in events:
+            self.assertIn((event.cycle, event.channel, event.code, event.text, event.file, event.line), told)
+
+    def test_an_event_names_the_file_in_which_it_is(self):
+        self.write("deep.nc", "O<deep> sub\nG4 P0.2\n(MSG, in deep)\nO<deep> endsub\n")
+        self.write("called.nc", "O<called> sub\n(MSG, in called)\nO<deep> call\nO<called> endsub\n")
+        self.write("unused.nc", "O<unused> sub\n(MSG, never)\nO<unused> endsub\n")
+        program = self.write("part.nc", "#include \"unused.nc\"\nG1 X1 F600\nO<called> call\n(MSG, in part)\nM30\n")
+        log = self.simulated(MILL, program)
+        simulated = stanok.simulate(MILL, program).events
+        self.expect_told(log, simulated)
+        self.assertEqual([(event.text, event.file) for event in simulated],
+                         [("in called", "called.nc"), ("in deep", "deep.nc"), ("in part", "part.nc")])
+
+    def test_events_of_channels_name_the_programs_of_these(self):
+        # Each ends before or after the first state of its run, which comes 50 ms after the start.
+        one = self.write("one.nc", "(MSG, from one)\nG4 P0.3\nM30\n")
+        two = self.write("two.nc", "G4 P0.2\n(MSG, from two)\nM30\n")
+        log, machine = self.folder / "run.lcm", MACHINES / "millturn4.toml"
+        programs = dict(zip(stanok.load_machine(machine).channels, (one, two)))
+        command("simulate", "--machine", machine, "--log", log,
+                *(word for channel, program in programs.items() for word in ("--run", f"{channel}={program}")))
+        simulated = stanok.simulate(machine, programs).events
+        self.expect_told(log, simulated)
+        self.assertEqual({(event.text, event.file) for event in simulated},
+                         {("from one", "one.nc"), ("from two", "two.nc")})
 
     def test_a_damaged_log_is_read_as_far_as_it_can_be(self):
         log = self.simulated()
