@@ -119,7 +119,8 @@ py::tuple verify(const GrindOptions& options) {
   return report_of(input, {.design = std::move(assessed), .corners = {}});
 }
 
-std::string study(const GrindOptions& options) {
+// The headings, and the rows of the part as `stanok grind study --part` prints them.
+py::tuple study(const GrindOptions& options) {
   std::vector<client::Variation> variations;
   for (const std::string& text : options.variations) {
     const auto variation = client::read_variation(text);
@@ -130,15 +131,20 @@ std::string study(const GrindOptions& options) {
   }
   if (client::study_size(variations) > client::study_points_max)
     throw std::invalid_argument("more than a million designs");
+  const auto part = client::read_study_part(options.part);
+  if (!part)
+    throw std::invalid_argument("'" + options.part +
+                                "' is no part K of N of a study, with K from 1 to N");
   const GrindInput input = value_or_raise(client::grind_input(options));
   Interruption interruption;
   const auto points = without_lock(interruption, [&] {
-    return client::run_study(input.request, variations, client::StudyPart(),
+    return client::run_study(input.request, variations, *part,
                              [asked = interruption.asked()](std::size_t) {
                                if (asked()) throw Interrupted();
                              });
   });
-  return client::study_csv(variations, client::StudyPart(), points);
+  return py::make_tuple(client::study_csv(variations, client::StudyPart(), {}),
+                        client::study_csv(variations, *part, points));
 }
 
 std::string program(const GrindOptions& options, const std::string& title) {
@@ -215,6 +221,7 @@ void bind_options(py::module_& module) {
       .def_readwrite("iterations", &GrindOptions::iterations)
       .def_readwrite("force", &GrindOptions::force)
       .def_readwrite("variations", &GrindOptions::variations)
+      .def_readwrite("part", &GrindOptions::part)
       .def_readwrite("gauge_margin_mm", &GrindOptions::gauge_margin_mm)
       .def("set_machine", [](GrindOptions& options, const std::string& file, int channel,
                              double wheel_speed_m_per_s) {

@@ -10,7 +10,7 @@ import csv
 import io
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -106,15 +106,20 @@ class Study(Mapping[str, "npt.NDArray[Any]"]):
     """Designs over varied numbers: a mapping of the columns of ``stanok grind study`` to arrays ``(n,)``.
 
     The columns of the variations come first; the last variation runs fastest. ``finding`` says why there is
-    no design; its numbers are ``nan`` then. ``text`` is the CSV.
+    no design; its numbers are ``nan`` then. ``text`` is the CSV, ``shape`` the counts of the variations of
+    the whole study, ``part`` which part of it this is, ``(k, n)`` as in :func:`study`. The headings stand in
+    the text of the first part only, so that the texts of all parts, one behind the other, are the whole.
     """
 
-    def __init__(self, text: str, shape: tuple[int, ...]) -> None:
+    def __init__(self, text: str, shape: tuple[int, ...], part: tuple[int, int] = (1, 1),
+                 headings: str | None = None) -> None:
         self.text = text
         self.shape = shape
-        heading, *rows = list(csv.reader(io.StringIO(text)))
+        self.part = part
+        with_headings = text if headings is None or part[0] == 1 else headings + text
+        self._headings, *rows = list(csv.reader(io.StringIO(with_headings)))
         self._columns: dict[str, npt.NDArray[Any]] = {}
-        for k, name in enumerate(heading):
+        for k, name in enumerate(self._headings):
             texts = [row[k] for row in rows]
             if name == "finding":
                 self._columns[name] = np.array(texts, dtype=object)
@@ -130,12 +135,35 @@ class Study(Mapping[str, "npt.NDArray[Any]"]):
     def __len__(self) -> int:
         return len(self._columns)
 
+    @property
+    def rows(self) -> int:
+        """Number of designs, here and not in other parts."""
+        return len(self._columns["finding"])
+
+    @classmethod
+    def joined(cls, parts: Iterable[Study]) -> Study:
+        """The whole study of all its parts, in whatever order they come."""
+        ordered = sorted(parts, key=lambda one: one.part)
+        if not ordered:
+            raise ValueError("there is no part")
+        first = ordered[0]
+        count = first.part[1]
+        if any(one.shape != first.shape or one._headings != first._headings for one in ordered):
+            raise ValueError("these are parts of several studies")
+        if [one.part for one in ordered] != [(k, count) for k in range(1, count + 1)]:
+            raise ValueError(f"give each of the {count} parts once, not "
+                             + ", ".join(f"{k}/{n}" for k, n in (one.part for one in ordered)))
+        return cls("".join(one.text for one in ordered), first.shape)
+
     def grid(self, name: str) -> npt.NDArray[Any]:
-        """A column in the shape of the variations: one dimension for each."""
+        """A column in the shape of the variations: one dimension for each. A part has none: join them first."""
+        if self.part != (1, 1):
+            raise ValueError(f"this is part {self.part[0]} of {self.part[1]} of a study; join all parts by Study.joined")
         return self._columns[name].reshape(self.shape)
 
     def __repr__(self) -> str:
-        return f"<Study of {int(np.prod(self.shape))} designs: {', '.join(self._columns)}>"
+        part = "" if self.part == (1, 1) else f", part {self.part[0]}/{self.part[1]}"
+        return f"<Study of {self.rows} designs{part}: {', '.join(self._columns)}>"
 
 
 def design(
@@ -211,6 +239,7 @@ def study(
     process: PathLike,
     vary: Mapping[str, tuple[float, float, int]],
     *,
+    part: tuple[int, int] | None = None,
     exact: bool = False,
     burn_margin: float | None = None,
     spark_out_revolutions: float | None = None,
@@ -221,6 +250,8 @@ def study(
     Args:
         process: process file, or control file.
         vary: ``{key: (from, to, count)}``, keys of the process file; at most a million designs.
+        part: ``(k, n)``: the k-th of n parts of the study, k from 1 on, for arrays of jobs on a cluster. All
+            parts are the study: :meth:`Study.joined` puts them together.
 
     >>> study = grinding.study("process.toml", {"stiffness": (2e7, 4e7, 21)})
     >>> study["stiffness"], study["cycle_time_s"]
@@ -234,7 +265,11 @@ def study(
         texts.append(f"{key}={float(begin)!r}:{float(end)!r}:{int(count)}")
         counts.append(int(count))
     options.variations = texts
-    return Study(_native.grind_study(options), tuple(counts))
+    number, count = (1, 1) if part is None else part
+    number, count = int(number), int(count)
+    options.part = f"{number}/{count}"
+    headings, text = _native.grind_study(options)
+    return Study(text, tuple(counts), (number, count), headings)
 
 
 def program(

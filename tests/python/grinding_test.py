@@ -51,6 +51,31 @@ class AgainstTheCommand(InFolder):
         # A stiffer machine takes less time: it is bent less by the same removal.
         self.assertTrue(np.all(np.diff(study.grid("cycle_time_s"), axis=0) < 0))
 
+    def test_parts_of_a_study_are_the_study(self):
+        vary = {"stiffness": (2e7, 4e7, 3), "allowance": (0.2, 0.3, 2)}
+        words = ["grind", "study", PROCESS, "--set", "stiffness=2e7:4e7:3", "--set", "allowance=0.2:0.3:2"]
+        whole = grinding.study(PROCESS, vary)
+        # More parts than designs: some are empty.
+        for count in (1, 4, 8):
+            parts = [grinding.study(PROCESS, vary, part=(k + 1, count)) for k in range(count)]
+            for k, part in enumerate(parts):
+                self.assertEqual(part.text, command(*words, "--part", f"{k + 1}/{count}"))
+                self.assertEqual(list(part), list(whole))
+            self.assertEqual("".join(part.text for part in parts), whole.text)
+            self.assertEqual(sum(part.rows for part in parts), whole.rows)
+            for name in whole:
+                column = np.concatenate([part[name] for part in parts])
+                self.assertTrue(np.array_equal(column, whole[name], equal_nan=name != "finding"), name)
+            joined = grinding.Study.joined(reversed(parts))
+            self.assertEqual((joined.text, joined.shape), (whole.text, whole.shape))
+            self.assertTrue(np.array_equal(joined.grid("cycle_time_s"), whole.grid("cycle_time_s")))
+        with self.assertRaisesRegex(ValueError, "part 1 of 8"):
+            parts[0].grid("cycle_time_s")
+        for wrong in ([], parts[1:], parts + parts[:1], [grinding.study(PROCESS, {"stiffness": (2e7, 4e7, 2)}, part=(1, 2)),
+                                                         grinding.study(PROCESS, {"allowance": (0.2, 0.3, 2)}, part=(2, 2))]):
+            with self.assertRaises(ValueError):
+                grinding.Study.joined(wrong)
+
     def test_program(self):
         out = self.folder / "part.nc"
         command("grind", "program", CONTROL, "--out", out, "--machine", MACHINES / "grinder.toml")
@@ -116,6 +141,9 @@ class Faults(InFolder):
                      {"stiffness": (2e7, 3e7, 0)}):
             with self.subTest(str(vary)), self.assertRaises((ValueError, TypeError)):
                 grinding.study(PROCESS, vary)
+        for part in ((0, 2), (3, 2), (1, 0), (-1, 2), (1, 2**70), (1,), "1/2", 1):
+            with self.subTest(str(part)), self.assertRaises((ValueError, TypeError)):
+                grinding.study(PROCESS, {"stiffness": (2e7, 3e7, 2)}, part=part)
         for path in ("", "none.txt", self.folder, "none.toml"):
             with self.subTest(str(path)), self.assertRaises((RuntimeError, ValueError, stanok.StanokError)):
                 grinding.design(path)
