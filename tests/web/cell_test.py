@@ -5,10 +5,13 @@ usage: cell_test.py STANOK_WEB STANOK_GATEWAY STANOKD MACHINE_FILE [unittest arg
 """
 import contextlib
 import os
+import selectors
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -94,6 +97,53 @@ class Cell(unittest.TestCase):
             return browser.request("GET", "/api/machines").json()["machines"]
         until(lambda: not tiles()[0]["answers"], "the first machine is missed")
         self.assertEqual((tiles()[0]["channels"], tiles()[0]["on"], tiles()[1]["answers"]), ([], None, True))
+
+    def silent_machine(self, name):
+        """A socket that takes connections in and says nothing."""
+        listener = socket.socket(socket.AF_UNIX)
+        self.stack.callback(listener.close)
+        listener.bind(os.path.join(self.folder, name + ".sock"))
+        listener.listen()
+        return listener
+
+    def asked_and_given_up(self, listeners):
+        """("asked" | "given up", number) in their order, until the page has given up each of them."""
+        order, selector = [], selectors.DefaultSelector()
+        self.stack.callback(selector.close)
+        for number, listener in enumerate(listeners):
+            selector.register(listener, selectors.EVENT_READ, ("asked", number))
+        end = time.monotonic() + PATIENCE_S
+        while sum(what == "given up" for what, _ in order) < len(listeners):
+            self.assertLess(time.monotonic(), end, f"not all are asked and given up: {order}")
+            # Those that wait to be let in first: they have knocked before anything that is seen now.
+            for key, _ in sorted(selector.select(1), key=lambda ready: ready[0].data):
+                if key.data[0] == "asked":
+                    connection, _ = key.fileobj.accept()
+                    self.stack.callback(connection.close)
+                    selector.register(connection, selectors.EVENT_READ, ("given up", key.data[1]))
+                else:
+                    self.assertEqual(key.fileobj.recv(1), b"")
+                    selector.unregister(key.fileobj)
+                order.append(key.data)
+        return order
+
+    def test_machines_that_say_nothing_are_all_asked_at_once(self):
+        silent = [self.silent_machine(f"silent{number}") for number in range(6)]
+        self.machine("first")
+        self.machine("second")
+        sockets = [word for number in range(len(silent))
+                   for word in ("--socket", os.path.join(self.folder, f"silent{number}.sock"))]
+        browser = self.browser(*sockets)
+        browser.enter_by_link()
+        answers = []
+        asking = threading.Thread(target=lambda: answers.append(browser.request("GET", "/api/machines").json()))
+        asking.start()
+        order = self.asked_and_given_up(silent)
+        asking.join(PATIENCE_S)
+        self.assertEqual([what for what, _ in order], ["asked"] * len(silent) + ["given up"] * len(silent))
+        machines = answers[0]["machines"]
+        self.assertEqual([(one["id"], one["answers"]) for one in machines],
+                         [("first", True), ("second", True)] + [(f"silent{k}", False) for k in range(len(silent))])
 
     def test_the_page_reads_the_history_of_the_gateway(self):
         daemon, operator = self.machine("first")
