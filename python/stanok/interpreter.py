@@ -91,7 +91,8 @@ def interpret(
     native, job = _job(machine, program, channel, scheme, program_root, million_steps)
     lines, faults_text, blocks = _native.interpret(native, job)
     faults = tuple(Fault.from_json(value) for value in json.loads(faults_text))
-    records = [json.loads(line) for line in lines.splitlines()]
+    # Not splitlines: texts of programs may have other ends of lines in them, as U+2028.
+    records = [json.loads(line) for line in lines.split("\n") if line]
     if check and any(fault.severity == "error" for fault in faults):
         raise ProgramError(faults)
     return Interpretation(records, blocks, faults)

@@ -178,8 +178,9 @@ class Client(Methods):
         try:
             self._socket.settimeout(self._timeout_s)
             self._socket.sendall(json.dumps(message).encode() + b"\n")
-        except TimeoutError:
-            raise
+        except TimeoutError as error:
+            self._socket.close()  # a part of the line is there: what is sent behind it would be its end
+            raise ConnectionLost("the daemon takes nothing; the connection is ended") from error
         except OSError as error:
             raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
 

@@ -187,6 +187,28 @@ class WithoutDaemon(unittest.TestCase):
         threading.Thread(target=talk, daemon=True).start()
         return path
 
+    def test_a_daemon_that_takes_nothing_is_a_lost_connection(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path = str(Path(folder.name) / "one.sock")
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(path)
+            listener.listen()
+            knocking = []
+            thread = threading.Thread(target=lambda: knocking.append(stanok.connect(path, timeout_s=0.5)))
+            thread.start()
+            there, _ = listener.accept()
+            self.addCleanup(there.close)
+            there.sendall(b'{"jsonrpc":"2.0","method":"hello","params":{"machine":"m"}}\n')
+            thread.join()
+        client = knocking[0]
+        self.addCleanup(client.close)
+        # More than a socket holds; what has gone of it is no line, so that nothing may be sent behind it.
+        with self.assertRaisesRegex(stanok.ConnectionLost, "takes nothing"):
+            client.program.write("part.nc", "G1 X1\n" * 4_000_000)
+        with self.assertRaises(stanok.ConnectionLost):
+            client.machine.status()
+
     def test_no_daemon_is_a_lost_connection(self):
         for address in ("/nowhere/one.sock", ("127.0.0.1", 1), "tcp://127.0.0.1:1"):
             with self.assertRaises(stanok.ConnectionLost):

@@ -26,6 +26,12 @@ class Programs(InFolder):
                 summary = json.loads(command("interpret", EXAMPLES / program, "--machine", given, "--quiet"))
                 self.assertEqual(result.blocks, summary["blocks"])
 
+    def test_texts_of_programs_may_have_any_characters(self):
+        text = "a\u2028b\u0085c"
+        program = self.write("part.nc", f"(MSG, {text})\nM30\n")
+        told = [record["text"] for record in stanok.interpret(MILL, program).records if record["kind"] == "message"]
+        self.assertEqual(told, [text])
+
     def test_feed_laws_are_those_of_the_command(self):
         for program in ("chip_breaking.nc", "slender_shaft.nc"):
             told = json.loads(command("check", EXAMPLES / program, "--machine", LATHE, "--estimate", "--json"))
