@@ -2,6 +2,7 @@
 // stanok-opcua: machines of this computer as a server of OPC UA for Machine Tools (OPC 40501-1).
 // Command line and exit codes: 0 ended by a signal, 1 failed, 2 wrong usage.
 import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { Usage, options_from, usage } from './source/options.js';
 import { user_line } from './source/users.js';
 
@@ -14,8 +15,10 @@ async function server_module() {
   try {
     return await import('./source/server.js');
   } catch (error) {
-    if (error.code !== 'ERR_MODULE_NOT_FOUND' || !/node-opcua/.test(error.message)) throw error;
-    const folder = new URL('.', import.meta.url).pathname;
+    const is_missing =
+      error instanceof Error && /Cannot find package 'node-opcua'/.test(error.message);
+    if (!is_missing) throw error;
+    const folder = fileURLToPath(new URL('.', import.meta.url));
     throw new Error(
       `node-opcua is not installed: cd ${folder} && npm ci --omit=dev --ignore-scripts`,
     );
@@ -28,16 +31,17 @@ function until_signal() {
   });
 }
 
+/** @param {string[]} words */
 async function run(words) {
-  const options = options_from(words);
-  if (options.help) return void process.stdout.write(usage);
-  if (options.version) return void console.log(version);
-  if (options.add_user !== undefined)
-    return void console.log(user_line(options.add_user, readFileSync(0, 'utf8').split('\n')[0]));
+  const wanted = options_from(words);
+  if (wanted.kind === 'help') return void process.stdout.write(usage);
+  if (wanted.kind === 'version') return void console.log(version);
+  if (wanted.kind === 'user')
+    return void console.log(user_line(wanted.name, readFileSync(0, 'utf8').split('\n')[0]));
   const ended = until_signal();
   console.log = console.error; // what libraries say belongs to the log
   const { start_server } = await server_module();
-  const server = await start_server(options, version);
+  const server = await start_server(wanted.options, version);
   process.stdout.write(`${server.address}\n`);
   await ended;
   await server.stop();

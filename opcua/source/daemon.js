@@ -11,7 +11,25 @@ const silence_max_ms = 10_000; // a status has a new cycle at each period
 const line_bytes_max = 16 * 2 ** 20;
 const lists_period_max_ms = 10_000; // tables change without an event
 
-/** RFC 7396. */
+/**
+ * @import { Address, Lists, Method, Parameters, Result, View } from '../types/view.js'
+ * @import { Socket } from 'node:net'
+ * @typedef {{ resolve: (result: any) => void, reject: (reason: Error) => void }} Waiting
+ * @typedef {{
+ *   id?: number,
+ *   method?: string,
+ *   params?: any,
+ *   result?: unknown,
+ *   error?: { message: string },
+ * }} Message
+ */
+
+/**
+ * RFC 7396.
+ * @param {any} target
+ * @param {any} patch
+ * @returns {any}
+ */
 export function merge_patch(target, patch) {
   if (patch === null || typeof patch !== 'object' || Array.isArray(patch)) return patch;
   const merged =
@@ -23,12 +41,47 @@ export function merge_patch(target, patch) {
   return merged;
 }
 
+/** @param {unknown} error */
+function first_line(error) {
+  return (error instanceof Error ? error.message : String(error)).split('\n')[0];
+}
+
 // A row of a history is new, or a run that has ended meanwhile.
+/** @type {(keyof import('../types/view.js').Channel)[]} */
 const followed_members = ['run', 'state', 'program_status', 'alarm', 'program'];
 
 export class Daemon {
+  /** @type {Socket | undefined} */
+  socket;
+  /** @type {NodeJS.Timeout | undefined} */
+  again;
+  /** @type {Map<number, Waiting>} */
+  answers = new Map();
+  /** @type {any} status as it is told: {machine, channels}; null: none yet */
+  state = null;
+  /** @type {Lists | null} */
+  lists = null;
+  /** @type {Result<'system.info'> | undefined} */
+  info;
+  text = '';
+  last_id = 0;
+  reason = '';
+  told = '';
+  followed = '';
+  stopped = false;
+  are_lists_old = false;
+  lists_read_ms = 0;
+
+  /**
+   * @param {Address} address
+   * @param {number} rate_hz
+   * @param {(view: View | null) => void} on_view
+   */
   constructor({ name, socket }, rate_hz, on_view) {
-    Object.assign(this, { name, path: socket, rate_hz, on_view, told: '', stopped: false });
+    this.name = name;
+    this.path = socket;
+    this.rate_hz = rate_hz;
+    this.on_view = on_view;
   }
 
   start() {
@@ -48,17 +101,19 @@ export class Daemon {
     this.state = null;
     this.lists = null;
     this.reason = 'the connection has ended';
-    this.socket = connect(this.path);
-    this.socket.setEncoding('utf8');
-    this.socket.setTimeout(silence_max_ms, () => this.#end('the daemon does not say anything'));
-    this.socket.on('data', (text) => this.#take(text));
-    this.socket.on('error', (error) => (this.reason = error.message));
-    this.socket.on('close', () => this.#closed());
+    const socket = connect(this.path);
+    this.socket = socket;
+    socket.setEncoding('utf8');
+    socket.setTimeout(silence_max_ms, () => this.#end('the daemon does not say anything'));
+    socket.on('data', (/** @type {string} */ text) => this.#take(text));
+    socket.on('error', (error) => (this.reason = error.message));
+    socket.on('close', () => this.#closed());
   }
 
+  /** @param {string} reason */
   #end(reason) {
     this.reason = reason;
-    this.socket.destroy();
+    this.socket?.destroy();
   }
 
   #closed() {
@@ -70,38 +125,48 @@ export class Daemon {
     this.again = setTimeout(() => this.#connect(), again_after_ms);
   }
 
+  /** @param {string} text */
   #take(text) {
     const lines = (this.text + text).split('\n');
-    this.text = lines.pop();
+    this.text = lines.pop() ?? '';
     if (this.text.length > line_bytes_max) return this.#end('the daemon says too much at once');
     for (const line of lines) {
       try {
         this.#take_message(JSON.parse(line));
       } catch (error) {
-        return this.#end(`what the daemon says cannot be shown: ${error.message.split('\n')[0]}`);
+        return this.#end(`what the daemon says cannot be shown: ${first_line(error)}`);
       }
     }
   }
 
+  /** @param {Message} message */
   #take_message({ id, method, params, result, error }) {
     if (method === 'hello') return this.#guarded(this.#greet());
     if (method === 'status') return this.#take_status(params);
     if (method === 'event') return void (this.are_lists_old = true);
     if (method === 'dropped')
       return this.#end(params?.reason ?? params?.message ?? 'the daemon has no place');
+    if (id === undefined) return;
     const waits = this.answers.get(id);
     this.answers.delete(id);
     if (error) waits?.reject(new Error(error.message));
     else waits?.resolve(result);
   }
 
+  /** @param {Promise<void>} promise */
   #guarded(promise) {
     promise.catch((error) => this.#end(error.message));
   }
 
+  /**
+   * @template {Method} Name
+   * @param {Name} method
+   * @param {Parameters<Name> | {}} params
+   * @returns {Promise<Result<Name>>}
+   */
   #ask(method, params = {}) {
     const id = ++this.last_id;
-    this.socket.write(JSON.stringify({ jsonrpc: '2.0', id, method, params }) + '\n');
+    this.socket?.write(JSON.stringify({ jsonrpc: '2.0', id, method, params }) + '\n');
     return new Promise((resolve, reject) => this.answers.set(id, { resolve, reject }));
   }
 
@@ -129,10 +194,11 @@ export class Daemon {
     this.#tell();
   }
 
+  /** @param {{ full?: boolean, state: any }} status */
   #take_status({ full, state }) {
     this.state = merge_patch(full ? {} : this.state, state);
     const followed = JSON.stringify(
-      Object.values(this.state.channels ?? {}).map((one) =>
+      Object.values(this.state.channels ?? {}).map((/** @type {any} */ one) =>
         followed_members.map((name) => one[name]),
       ),
     );
@@ -144,9 +210,11 @@ export class Daemon {
   }
 
   #tell() {
-    if (!this.state?.machine || !this.state.channels || !this.lists) return;
-    const { machine, channels } = this.state;
-    const in_order = Object.values(channels).sort((a, b) => a.id - b.id);
-    this.on_view({ info: this.info, machine, channels: in_order, ...this.lists });
+    const { info, lists, state } = this;
+    if (!state?.machine || !state.channels || !lists || !info) return;
+    /** @type {View['channels']} */
+    const channels = Object.values(state.channels);
+    channels.sort((a, b) => a.id - b.id);
+    this.on_view({ info, machine: state.machine, channels, ...lists });
   }
 }

@@ -2,8 +2,14 @@
 import { DataType } from 'node-opcua';
 import { readFileSync } from 'node:fs';
 
+/**
+ * @import { Identity, Node } from '../types/view.js'
+ * @import { Machine } from './machine.js'
+ */
+
 const text = DataType.LocalizedText;
 // Members of the file by the names of OPC 40001-1.
+/** @type {Record<string, DataType>} */
 const types = {
   Manufacturer: text,
   ManufacturerUri: DataType.String,
@@ -17,31 +23,74 @@ const types = {
   YearOfConstruction: DataType.UInt16,
   MonthOfConstruction: DataType.Byte,
 };
-const numbers = [DataType.UInt16, DataType.Byte];
+/** @type {Record<string, [number, number]>} */
+const ranges = { YearOfConstruction: [1, 65535], MonthOfConstruction: [1, 12] };
 
-/** {machine: {member: value}}. Throws Error. */
+/**
+ * By the names of machines. Throws Error.
+ * @param {string | undefined} file
+ * @param {string[]} names
+ * @returns {Record<string, Identity>}
+ */
 export function identities_from(file, names) {
   if (!file) return {};
-  const all = JSON.parse(readFileSync(file, 'utf8'));
+  const all = json_object(
+    read_json(file),
+    `${file}: a JSON object is wanted, with a member for each machine`,
+  );
   for (const [name, members] of Object.entries(all)) {
     if (!names.includes(name)) throw new Error(`${file}: no machine is called ${name}`);
-    for (const [member, value] of Object.entries(members)) {
-      const type = types[member];
-      if (type === undefined)
-        throw new Error(
-          `${file}: ${name}.${member} is not known; ${Object.keys(types).join(', ')} are`,
-        );
-      const wanted = numbers.includes(type) ? 'number' : 'string';
-      if (typeof value !== wanted)
-        throw new Error(`${file}: ${name}.${member} must be a ${wanted}`);
+    const described = json_object(members, `${file}: ${name} must be an object`);
+    for (const [member, value] of Object.entries(described)) {
+      const wrong = fault_of(member, value);
+      if (wrong) throw new Error(`${file}: ${name}.${member} ${wrong}`);
     }
   }
-  return all;
+  return /** @type {Record<string, Identity>} */ (all);
 }
 
+/** @param {string} file */
+function read_json(file) {
+  const text = readFileSync(file, 'utf8');
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw new Error(`${file}: this is no JSON: ${error instanceof Error ? error.message : error}`);
+  }
+}
+
+/**
+ * @param {unknown} value
+ * @param {string} fault
+ * @returns {object}
+ */
+function json_object(value, fault) {
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) throw new Error(fault);
+  return value;
+}
+
+/**
+ * What is wrong with a member; empty: nothing.
+ * @param {string} member
+ * @param {unknown} value
+ */
+function fault_of(member, value) {
+  if (!Object.hasOwn(types, member)) return `is not known; ${Object.keys(types).join(', ')} are`;
+  const range = ranges[member];
+  if (!range) return typeof value === 'string' ? '' : 'must be a string';
+  const [smallest, largest] = range;
+  const is_good = Number.isInteger(value) && Number(value) >= smallest && Number(value) <= largest;
+  return is_good ? '' : `must be a whole number from ${smallest} to ${largest}`;
+}
+
+/**
+ * @param {Machine} machine
+ * @param {Identity} identity
+ */
 export function publish_identification(machine, identity) {
   const { published } = machine;
   // Mandatory ones: a machine that nobody has described says so by its values.
+  /** @type {Identity} */
   const members = {
     Manufacturer: 'unknown',
     SerialNumber: 'unknown',
@@ -53,13 +102,17 @@ export function publish_identification(machine, identity) {
     const content = type === text ? { text: value } : value;
     published.add_constant(machine.child(`Identification.${name}`), type, content);
   }
-  const child = (name) => machine.child(`Identification.${name}`);
+  const child = (/** @type {string} */ name) => machine.child(`Identification.${name}`);
   published.add_constant(child('ComponentName'), text, { text: machine.name });
   published.add(child('Model'), text, (view) => ({ text: view.machine.name }));
   published.add(child('SoftwareRevision'), DataType.String, (view) => view.info.version);
   add_software(machine, child('SoftwareIdentification'));
 }
 
+/**
+ * @param {Machine} machine
+ * @param {Node} folder
+ */
 function add_software(machine, folder) {
   const item = machine.make('SoftwareIdentificationType', {
     browseName: machine.name_of('Control'),

@@ -14,6 +14,11 @@ import { States } from './states.js';
 import { Tools } from './tools.js';
 import { item_state, machinery_mode, parts_of } from './words.js';
 
+/**
+ * @import { InstantiateObjectOptions, UAObjectType } from 'node-opcua'
+ * @import { AddressSpace, Identity, Namespace, Node, Parts, ReadState, View } from '../types/view.js'
+ */
+
 const optional_nodes = [
   'Identification.ComponentName',
   'Identification.Model',
@@ -29,16 +34,46 @@ const optional_nodes = [
   'Production.ProductionPlan.NodeVersion',
 ];
 
-/** Axes: OPC 40501-1 has channels and working units, but no position; ours is a working unit with one. */
+/**
+ * Axes: OPC 40501-1 has channels and working units, but no position; ours is a working unit with one.
+ * @param {AddressSpace} addressSpace
+ * @param {Namespace} namespace
+ * @returns {UAObjectType}
+ */
 export function add_axis_type(addressSpace, namespace) {
-  const base = addressSpace.findObjectType(
-    'WorkingUnitMonitoringType',
-    addressSpace.getNamespaceIndex(namespaces.machine_tool),
-  );
-  return namespace.addObjectType({ browseName: 'AxisMonitoringType', subtypeOf: base });
+  return namespace.addObjectType({
+    browseName: 'AxisMonitoringType',
+    subtypeOf: type_of_machine_tool(addressSpace, 'WorkingUnitMonitoringType'),
+  });
 }
 
-// The states of a machine have two parents in the specification, on purpose: no warning of it.
+/**
+ * @param {AddressSpace} addressSpace
+ * @param {string} name
+ */
+function type_of_machine_tool(addressSpace, name) {
+  const type = addressSpace.findObjectType(
+    name,
+    addressSpace.getNamespaceIndex(namespaces.machine_tool),
+  );
+  if (!type) throw new Error(`OPC 40501-1 has no type ${name}`);
+  return type;
+}
+
+/**
+ * @param {AddressSpace} addressSpace
+ * @returns {Node}
+ */
+function root_of(addressSpace) {
+  return addressSpace.rootFolder;
+}
+
+/**
+ * The states of a machine have two parents in the specification, on purpose: no warning of it.
+ * @template Made
+ * @param {() => Made} make
+ * @returns {Made}
+ */
 function quietly(make) {
   setLogLevel(LogLevel.Error);
   try {
@@ -53,12 +88,24 @@ export class Machine {
   #parts = '';
   #version = 0;
 
+  /**
+   * @param {AddressSpace} addressSpace
+   * @param {Namespace} namespace
+   * @param {UAObjectType} axis_type
+   * @param {string} name
+   * @param {Identity} identity
+   */
   constructor(addressSpace, namespace, axis_type, name, identity) {
-    Object.assign(this, { addressSpace, namespace, axis_type, name });
+    this.addressSpace = addressSpace;
+    this.namespace = namespace;
+    this.axis_type = axis_type;
+    this.name = name;
     this.published = new Published();
+    /** @type {Node[]} */
     this.added = [];
-    const machines = addressSpace.rootFolder.objects.getFolderElementByName('Machines');
+    const machines = root_of(addressSpace).objects.getFolderElementByName('Machines');
     const described = Object.keys(identity).map((key) => `Identification.${key}`);
+    /** @type {Node} */
     this.node = quietly(() =>
       this.make('MachineToolType', {
         browseName: this.name_of(name),
@@ -82,13 +129,14 @@ export class Machine {
   // Alarms of a machine are events of its Notification, of the machine and of the server.
   #notify() {
     const notification = this.child('Notification');
-    const { server } = this.addressSpace.rootFolder.objects;
+    const { server } = root_of(this.addressSpace).objects;
     for (const node of [this.node, notification])
       node.setEventNotifier(EventNotifierFlags.SubscribeToEvents);
     server.addReference({ referenceType: 'HasNotifier', nodeId: this.node.nodeId });
     this.node.addReference({ referenceType: 'HasEventSource', nodeId: notification.nodeId });
   }
 
+  /** @param {View | null} view */
   show(view) {
     if (view) {
       this.#follow_parts(parts_of(view));
@@ -99,36 +147,62 @@ export class Machine {
     this.alerts.follow(view);
   }
 
+  /** @param {string} name */
   type_of(name) {
-    const index = this.addressSpace.getNamespaceIndex(namespaces.machine_tool);
-    return this.addressSpace.findObjectType(name, index);
+    return type_of_machine_tool(this.addressSpace, name);
   }
 
-  /** An object of a type of OPC 40501-1 by its name, or of another one, in the namespace of stanok. */
+  /** @param {string} name */
+  type_of_variable(name) {
+    const type = this.addressSpace.findVariableType(name);
+    if (!type) throw new Error(`no type of variables is called ${name}`);
+    return type;
+  }
+
+  /**
+   * An object of a type of OPC 40501-1 by its name, or of another one, in the namespace of stanok.
+   * @param {string | UAObjectType} type
+   * @param {Omit<InstantiateObjectOptions, 'namespace'>} options
+   * @returns {Node}
+   */
   make(type, options) {
     const object_type = typeof type === 'string' ? this.type_of(type) : type;
     return object_type.instantiate({ ...options, namespace: this.namespace });
   }
 
+  /** @param {string} name */
   name_of(name) {
     return { name, namespaceIndex: this.namespace.index };
   }
 
-  /** The node at the end of a way of names, of whatever namespace. */
+  /**
+   * The node at the end of a way of names, of whatever namespace.
+   * @param {string} path
+   * @returns {Node}
+   */
   child(path) {
     return path.split('.').reduce((node, name) => {
       const next = node
         .findReferencesExAsObject('Aggregates')
-        .find((one) => one.browseName.name === name);
+        .find((/** @type {Node} */ one) => one.browseName.name === name);
       if (!next) throw new Error(`${this.name}: no node ${name} of ${path}`);
       return next;
     }, this.node);
   }
 
+  /**
+   * @param {Node} node
+   * @param {ReadState} read
+   */
   add_state(node, read) {
     this.#states.add(node, read);
   }
 
+  /**
+   * @param {string | UAObjectType} type
+   * @param {string} name
+   * @param {string[]} optionals
+   */
   add_element(type, name, optionals = []) {
     const node = this.make(type, {
       browseName: this.name_of(name),
@@ -139,9 +213,11 @@ export class Machine {
     return node;
   }
 
+  /** @param {Node} node */
   remove(node) {
     const way = `${node.nodeId.value}-`;
-    const is_gone = (one) => String(one.nodeId.value).startsWith(way) || one === node;
+    const is_gone = (/** @type {Node} */ one) =>
+      String(one.nodeId.value).startsWith(way) || one === node;
     this.published.forget(is_gone);
     this.#states.forget(is_gone);
     this.namespace.deleteNode(node);
@@ -153,6 +229,7 @@ export class Machine {
     version.setValueFromSource({ dataType: DataType.String, value });
   }
 
+  /** @param {Parts} parts */
   #follow_parts(parts) {
     const text = JSON.stringify(parts);
     if (text === this.#parts) return;

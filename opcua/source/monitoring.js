@@ -9,11 +9,23 @@ import {
   spindle_in,
 } from './words.js';
 
+/**
+ * @import { EUInformation, UAVariable } from 'node-opcua'
+ * @import { Axis, Channel, Node, ReadValue, Spindle, Value, View } from '../types/view.js'
+ * @import { Machine } from './machine.js'
+ */
+
 // Ranges of override.feed, override.rapid and override.spindle.
 const feed_range = { low: 0, high: 200 };
 const rapid_range = { low: 0, high: 100 };
 const spindle_range = { low: 50, high: 150 };
 
+/**
+ * @param {Machine} machine
+ * @param {Node} variable
+ * @param {{ low: number, high: number }} range
+ * @param {ReadValue} read
+ */
 function add_percent(machine, variable, range, read) {
   add_units(machine, variable, standardUnits.percent);
   const property = variable.getPropertyByName('EURange');
@@ -21,13 +33,25 @@ function add_percent(machine, variable, range, read) {
   machine.published.add(variable, DataType.Double, read);
 }
 
+/**
+ * @param {Machine} machine
+ * @param {Node} variable
+ * @param {EUInformation} units
+ */
 function add_units(machine, variable, units) {
   const property = variable.getPropertyByName('EngineeringUnits');
   machine.published.add_constant(property, DataType.ExtensionObject, units);
 }
 
+/**
+ * @param {Machine} machine
+ * @param {Node} parent
+ * @param {string} name
+ * @param {EUInformation} units
+ * @param {ReadValue} read
+ */
 function add_quantity(machine, parent, name, units, read) {
-  const variable = machine.addressSpace.findVariableType('AnalogUnitType').instantiate({
+  const variable = machine.type_of_variable('AnalogUnitType').instantiate({
     browseName: machine.name_of(name),
     componentOf: parent,
     dataType: DataType.Double,
@@ -37,18 +61,30 @@ function add_quantity(machine, parent, name, units, read) {
   machine.published.add(variable, DataType.Double, read);
 }
 
+/**
+ * @param {Machine} machine
+ * @param {Node} parent
+ * @param {string} name
+ * @param {ReadValue} read
+ */
 function add_flag(machine, parent, name, read) {
   const options = { browseName: name, componentOf: parent, dataType: DataType.Boolean };
   machine.published.add(machine.namespace.addVariable(options), DataType.Boolean, read);
 }
 
+/** @param {Machine} machine */
 export function publish_machine_monitoring(machine) {
   const node = machine.child('Monitoring.MachineTool.OperationMode');
   machine.published.add(node, DataType.Int32, operation_mode);
 }
 
+/**
+ * @param {Machine} machine
+ * @param {Pick<Channel, 'id' | 'name'>} channel
+ */
 export function add_channel(machine, { id, name }) {
   const { published } = machine;
+  /** @type {(read: (channel: Channel) => Value) => ReadValue} */
   const of_channel = (read) => (view) => {
     const channel = view.channels.find((one) => one.id === id);
     return channel ? read(channel) : null;
@@ -80,6 +116,7 @@ export function add_channel(machine, { id, name }) {
   const modifiers = node.channelModifiers;
   // stanok has no dry run on the machine: a program is simulated before it.
   published.add_constant(modifiers.dryRun, DataType.Boolean, false);
+  /** @type {[Node, (channel: Channel) => boolean][]} */
   const flags = [
     [modifiers.optionalStop, (one) => one.optional_stop],
     [modifiers.singleStep, (one) => one.single_block],
@@ -88,7 +125,12 @@ export function add_channel(machine, { id, name }) {
   for (const [flag, read] of flags) published.add(flag, DataType.Boolean, of_channel(read));
 }
 
+/**
+ * @param {Machine} machine
+ * @param {string} name
+ */
 export function add_axis(machine, name) {
+  /** @type {(read: (axis: Axis) => Value) => ReadValue} */
   const of_axis = (read) => (view) => {
     const axis = axis_in(view, name);
     return axis && read(axis);
@@ -118,7 +160,12 @@ export function add_axis(machine, name) {
   );
 }
 
+/**
+ * @param {Machine} machine
+ * @param {number} id
+ */
 export function add_spindle(machine, id) {
+  /** @type {(read: (spindle: Spindle) => Value) => ReadValue} */
   const of_spindle = (read) => (view) => {
     const spindle = spindle_in(view, id);
     return spindle && read(spindle);
@@ -127,7 +174,7 @@ export function add_spindle(machine, id) {
   machine.published.add_constant(node.name, DataType.String, `S${id}`);
   machine.published.add(node.isRotating, DataType.Boolean, of_spindle(is_rotating));
   add_percent(machine, node.override, spindle_range, (view) => {
-    const channel = view.channels.find((one) => one.spindles?.some((other) => other.id === id));
+    const channel = view.channels.find((one) => one.spindles.some((other) => other.id === id));
     return channel?.override.spindle;
   });
   const units = standardUnits.revolutions_per_minute;

@@ -4,6 +4,10 @@ import { homedir } from 'node:os';
 import { basename, extname, join } from 'node:path';
 import { parseArgs } from 'node:util';
 
+/**
+ * @import { Address, Wanted } from '../types/view.js'
+ */
+
 /** The command line asks for what is not done; the message says what to do instead. */
 export class Usage extends Error {}
 
@@ -25,7 +29,8 @@ usage: stanok-opcua --daemon NAME=SOCKET ... [OPTION ...]
   -h, --help            print this
 `;
 
-const words_of = {
+/** @satisfies {import('node:util').ParseArgsConfig['options']} */
+const words_of = /** @type {const} */ ({
   daemon: { type: 'string', multiple: true },
   host: { type: 'string', default: '127.0.0.1' },
   port: { type: 'string', default: '4840' },
@@ -37,16 +42,24 @@ const words_of = {
   state: { type: 'string' },
   version: { type: 'boolean' },
   help: { type: 'boolean', short: 'h' },
-};
+});
 
+/** @param {string[]} words */
 function parsed(words) {
   try {
     return parseArgs({ args: words, options: words_of }).values;
   } catch (error) {
-    throw new Usage(error.message);
+    throw new Usage(error instanceof Error ? error.message : String(error));
   }
 }
 
+/**
+ * @param {string} name
+ * @param {string} text
+ * @param {number} smallest
+ * @param {number} largest
+ * @param {boolean} is_whole
+ */
 function number_in(name, text, smallest, largest, is_whole) {
   const number = Number(text);
   const is_good = text.trim() !== '' && number >= smallest && number <= largest;
@@ -56,6 +69,10 @@ function number_in(name, text, smallest, largest, is_whole) {
   );
 }
 
+/**
+ * @param {string} text
+ * @returns {Address}
+ */
 function machine_from(text) {
   const sign = text.indexOf('=');
   const socket = text.slice(sign + 1);
@@ -72,15 +89,21 @@ function default_state_folder() {
   return join(base, 'stanok', 'opcua');
 }
 
+/** @param {string} host */
 export function is_loopback(host) {
   return host === '::1' || host.startsWith('127.');
 }
 
-/** Throws Usage. */
+/**
+ * Throws Usage.
+ * @param {string[]} words
+ * @returns {Wanted}
+ */
 export function options_from(words) {
   const given = parsed(words);
-  if (given.help || given.version) return { help: given.help, version: given.version };
-  if (given['add-user'] !== undefined) return { add_user: given['add-user'] };
+  if (given.help) return { kind: 'help' };
+  if (given.version) return { kind: 'version' };
+  if (given['add-user'] !== undefined) return { kind: 'user', name: given['add-user'] };
   const machines = (given.daemon ?? []).map(machine_from);
   if (machines.length === 0)
     throw new Usage('no machine: name the socket of a daemon with --daemon NAME=SOCKET');
@@ -92,7 +115,7 @@ export function options_from(words) {
     throw new Usage(
       'users must be known before others than this computer get in: add --users FILE',
     );
-  return {
+  const options = {
     machines,
     host: given.host,
     port: number_in('port', given.port, 0, 65535, true),
@@ -102,4 +125,5 @@ export function options_from(words) {
     sessions: number_in('sessions', given.sessions, 1, 100, true),
     state: given.state ?? default_state_folder(),
   };
+  return { kind: 'server', options };
 }

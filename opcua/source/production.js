@@ -5,19 +5,49 @@
 import { DataType } from 'node-opcua';
 import { leading_channel, program_state, runs_completed } from './words.js';
 
+/**
+ * @import { Channel, View } from '../types/view.js'
+ * @import { Machine } from './machine.js'
+ */
+
+/** @param {Machine} machine */
 export function publish_active_program(machine) {
   const { published } = machine;
   const program = machine.child('Production.ActiveProgram');
-  const state_of_leading = (view) => program_state(view, leading_channel(view));
-  published.add(program.name, DataType.String, (view) => leading_channel(view).program ?? '');
-  published.add(program.numberInList, DataType.UInt16, (view) =>
-    view.channels.indexOf(leading_channel(view)),
+  /**
+   * @template Value
+   * @param {(view: View, channel: Channel) => Value} read
+   * @returns {(view: View) => Value | null}
+   */
+  const of_leading = (read) => (view) => {
+    const channel = leading_channel(view);
+    return channel ? read(view, channel) : null;
+  };
+  published.add(
+    program.name,
+    DataType.String,
+    of_leading((_, one) => one.program ?? ''),
   );
-  machine.add_state(program.state, state_of_leading);
+  published.add(
+    program.numberInList,
+    DataType.UInt16,
+    of_leading((view, one) => view.channels.indexOf(one)),
+  );
+  machine.add_state(program.state, of_leading(program_state));
 }
 
+/**
+ * @param {Machine} machine
+ * @param {Pick<Channel, 'id'>} channel
+ * @param {number} number
+ */
 export function add_job(machine, { id }, number) {
   const { published } = machine;
+  /**
+   * @template Value
+   * @param {(view: View, channel: Channel) => Value} read
+   * @returns {(view: View) => Value | null}
+   */
   const of_channel = (read) => (view) => {
     const channel = view.channels.find((one) => one.id === id);
     return channel ? read(view, channel) : null;

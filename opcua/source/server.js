@@ -16,13 +16,21 @@ import { namespaces, nodeset_files } from './namespaces.js';
 import { is_loopback } from './options.js';
 import { is_password, users_from } from './users.js';
 
+/**
+ * @import { Namespace, RunningServer, ServerOptions, Users } from '../types/view.js'
+ * @import { OPCUAServerOptions, UserManagerOptions } from 'node-opcua'
+ */
+
 const policies = [
   SecurityPolicy.Basic256Sha256,
   SecurityPolicy.Aes128_Sha256_RsaOaep,
   SecurityPolicy.Aes256_Sha256_RsaPss,
 ];
 
-/** Without security on this computer only; otherwise at least signed, and never without a user. */
+/**
+ * Without security on this computer only; otherwise at least signed, and never without a user.
+ * @param {ServerOptions} options
+ */
 function endpoint_of({ host, port, users }) {
   const is_open = is_loopback(host);
   const modes = [MessageSecurityMode.Sign, MessageSecurityMode.SignAndEncrypt];
@@ -36,7 +44,10 @@ function endpoint_of({ host, port, users }) {
   };
 }
 
-// Far more than a cell needs, far less than what this process could not bear.
+/**
+ * Far more than a cell needs, far less than what this process could not bear.
+ * @param {ServerOptions} options
+ */
 function capabilities_of({ sessions }) {
   return {
     maxSessions: sessions,
@@ -55,15 +66,23 @@ function capabilities_of({ sessions }) {
   };
 }
 
+/**
+ * @param {Users | undefined} users
+ * @returns {UserManagerOptions}
+ */
 function user_manager(users) {
   if (!users) return { isValidUser: () => false };
   return {
     isValidUserAsync: (name, password, done) => {
-      is_password(users, name, password).then((is_right) => done(null, is_right), done);
+      is_password(users, name, password).then(
+        (is_right) => done(null, is_right),
+        (fault) => done(fault),
+      );
     },
   };
 }
 
+/** @param {string} folder */
 function certificates_in(folder) {
   // A client is let in when its certificate has been moved from rejected/ to trusted/certs.
   return new OPCUACertificateManager({
@@ -72,6 +91,10 @@ function certificates_in(folder) {
   });
 }
 
+/**
+ * @param {ServerOptions} options
+ * @param {string} version
+ */
 async function server_of(options, version) {
   mkdirSync(options.state, { recursive: true, mode: 0o700 });
   const serverCertificateManager = certificates_in(join(options.state, 'pki'));
@@ -83,7 +106,7 @@ async function server_of(options, version) {
     serverCertificateManager,
     userCertificateManager,
     nodesets: nodeset_files,
-    userManager: user_manager(options.users && users_from(options.users)),
+    userManager: user_manager(options.users ? users_from(options.users) : undefined),
     serverCapabilities: capabilities_of(options),
     maxConnectionsPerEndpoint: options.sessions + 5,
     registerServerMethod: RegisterServerMethod.HIDDEN,
@@ -96,7 +119,12 @@ async function server_of(options, version) {
   });
 }
 
-/** {address, stop()} of a server that listens. */
+/**
+ * Of a server that listens.
+ * @param {ServerOptions} options
+ * @param {string} version
+ * @returns {Promise<RunningServer>}
+ */
 export async function start_server(options, version) {
   const identities = identities_from(
     options.identity,
@@ -105,7 +133,8 @@ export async function start_server(options, version) {
   const server = await server_of(options, version);
   await server.initialize();
   const { addressSpace } = server.engine;
-  const namespace = addressSpace.registerNamespace(namespaces.stanok);
+  if (!addressSpace) throw new Error('node-opcua has made no address space');
+  const namespace = /** @type {Namespace} */ (addressSpace.registerNamespace(namespaces.stanok));
   const axis_type = add_axis_type(addressSpace, namespace);
   addressSpace.installAlarmsAndConditionsService();
   refuse_methods_of_types(addressSpace);

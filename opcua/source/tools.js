@@ -6,27 +6,36 @@ const number_based = 0;
 const capability_unavailable = 0;
 const tools_max = 2000;
 
+/**
+ * @import { Node, Tool, View } from '../types/view.js'
+ * @import { Machine } from './machine.js'
+ */
+
+/** @param {Pick<Tool, 'number' | 'edge'>} tool */
 const key_of = ({ number, edge }) => `Tool${number}Edge${edge}`;
 
 /** Tools of a machine that come and go with its table. */
 export class Tools {
   #machine;
+  /** @type {Map<string, Node>} */
   #nodes = new Map();
   #version = 0;
 
+  /** @param {Machine} machine */
   constructor(machine) {
     this.#machine = machine;
     this.list = machine.child('Equipment.Tools');
     this.#set_version();
   }
 
+  /** @param {View} view */
   follow(view) {
     const tools = new Map(view.tools.slice(0, tools_max).map((tool) => [key_of(tool), tool]));
     const gone = [...this.#nodes.keys()].filter((key) => !tools.has(key));
-    const come = [...tools.keys()].filter((key) => !this.#nodes.has(key));
+    const come = [...tools].filter(([key]) => !this.#nodes.has(key));
     if (gone.length === 0 && come.length === 0) return;
     for (const key of gone) this.#remove(key);
-    for (const key of come) this.#nodes.set(key, this.#add(key, tools.get(key)));
+    for (const [key, tool] of come) this.#nodes.set(key, this.#add(key, tool));
     this.#set_version();
   }
 
@@ -37,11 +46,16 @@ export class Tools {
     });
   }
 
+  /** @param {string} key */
   #remove(key) {
     this.#machine.remove(this.#nodes.get(key));
     this.#nodes.delete(key);
   }
 
+  /**
+   * @param {string} key
+   * @param {Tool} tool
+   */
   #add(key, { number, edge }) {
     const machine = this.#machine;
     const node = machine.make('ToolType', {
@@ -49,7 +63,7 @@ export class Tools {
       componentOf: this.list,
       optionals: ['ControlIdentifier2', 'Name', 'Identifier'],
     });
-    const row = (view) => view.tools.find((tool) => key_of(tool) === key);
+    const row = (/** @type {View} */ view) => view.tools.find((tool) => key_of(tool) === key);
     const { published } = machine;
     published.add(node.controlIdentifier1, DataType.UInt32, (view) => row(view)?.number);
     published.add(node.controlIdentifier2, DataType.UInt32, (view) => row(view)?.edge);

@@ -8,7 +8,15 @@ const hash_bytes = 32;
 const salt_bytes = 16;
 const cost = { N: 2 ** 15, r: 8, p: 1, maxmem: 64 * 2 ** 20 };
 
-/** The line of a user. Throws Usage. */
+/**
+ * @import { User, Users } from '../types/view.js'
+ */
+
+/**
+ * The line of a user. Throws Usage.
+ * @param {string} name
+ * @param {string} password
+ */
 export function user_line(name, password) {
   if (!/^[\w.@-]{1,64}$/.test(name))
     throw new Usage('--add-user wants a name of letters, digits, _, ., @ and -');
@@ -18,6 +26,11 @@ export function user_line(name, password) {
   return [name, 'scrypt', salt.toString('base64'), hash.toString('base64')].join(':');
 }
 
+/**
+ * @param {string} line
+ * @param {string} place
+ * @returns {[string, User]}
+ */
 function user_from(line, place) {
   const [name, kind, salt, hash, ...more] = line.split(':');
   const user = { salt: Buffer.from(salt ?? '', 'base64'), hash: Buffer.from(hash ?? '', 'base64') };
@@ -26,14 +39,24 @@ function user_from(line, place) {
   return [name, user];
 }
 
-/** Users of a file by their names. Throws Error with the place of a wrong line. */
+/**
+ * Users of a file by their names. Throws Error with the place of a wrong line.
+ * @param {string} file
+ * @returns {Users}
+ */
 export function users_from(file) {
   const lines = readFileSync(file, 'utf8').split('\n');
-  const users = lines.map((line, k) => line && user_from(line, `${file}:${k + 1}`)).filter(Boolean);
-  return new Map(users);
+  const users = lines.map((line, k) => (line ? [user_from(line, `${file}:${k + 1}`)] : []));
+  return new Map(users.flat());
 }
 
-/** Whether it is the password; takes as long for a name that nobody has. */
+/**
+ * Whether it is the password; takes as long for a name that nobody has.
+ * @param {Users} users
+ * @param {string} name
+ * @param {string} password
+ * @returns {Promise<boolean>}
+ */
 export function is_password(users, name, password) {
   const nobody = { salt: Buffer.alloc(salt_bytes), hash: Buffer.alloc(hash_bytes) };
   const user = users.get(name) ?? nobody;

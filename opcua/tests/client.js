@@ -17,10 +17,22 @@ import {
   constructEventFilter,
 } from 'node-opcua';
 
+/**
+ * @import {
+ *   ClientSession,
+ *   ClientSubscription,
+ *   NodeId,
+ *   ReferenceDescription,
+ *   UserIdentityInfo,
+ *   Variant,
+ * } from 'node-opcua'
+ */
+
 const [address, pki, mode, user, password] = process.argv.slice(2);
 const event_fields = ['EventType', 'SourceName', 'Message', 'Severity', 'ConditionName', 'Retain'];
 const state_fields = ['ActiveState.Id', 'AckedState.Id', 'Quality'];
 
+/** @param {Variant} variant */
 function plain(variant) {
   const { value } = variant;
   if (value === null || value === undefined) return value ?? null;
@@ -31,9 +43,14 @@ function plain(variant) {
   return value;
 }
 
+/**
+ * @param {ClientSession} session
+ * @param {ReferenceDescription} reference
+ * @param {string[]} namespaces
+ */
 async function described(session, reference, namespaces) {
   const { nodeId, nodeClass, browseName, typeDefinition } = reference;
-  const named = (id) => ({
+  const named = (/** @type {NodeId} */ id) => ({
     uri: namespaces[id.namespace],
     id: id.toString().replace(/^ns=\d+;/, ''),
   });
@@ -57,9 +74,15 @@ async function described(session, reference, namespaces) {
   };
 }
 
+/**
+ * @param {ClientSession} session
+ * @param {string} root
+ */
 async function tree(session, root) {
   const namespaces = await session.readNamespaceArray();
+  /** @type {Record<string, unknown>} */
   const found = {};
+  /** @type {(nodeId: string | NodeId, path: string) => Promise<void>} */
   const walk = async (nodeId, path) => {
     const { references } = await session.browse({
       nodeId,
@@ -68,8 +91,9 @@ async function tree(session, root) {
       browseDirection: 0,
       resultMask: 63,
     });
-    for (const reference of references) {
-      const here = path ? `${path}/${reference.browseName.name}` : reference.browseName.name;
+    for (const reference of references ?? []) {
+      const name = reference.browseName.name ?? '';
+      const here = path ? `${path}/${name}` : name;
       found[here] = await described(session, reference, namespaces);
       if (reference.nodeClass !== NodeClass.Method) await walk(reference.nodeId, here);
     }
@@ -78,9 +102,15 @@ async function tree(session, root) {
   return found;
 }
 
+/** @type {unknown[]} */
 const events = [];
+/** @type {ClientSubscription | undefined} */
 let subscription;
 
+/**
+ * @param {ClientSession} session
+ * @param {string} nodeId
+ */
 async function listen(session, nodeId) {
   subscription = await session.createSubscription2({
     requestedPublishingInterval: 100,
@@ -97,12 +127,13 @@ async function listen(session, nodeId) {
     { samplingInterval: 0, filter, queueSize: 1000, discardOldest: true },
     TimestampsToReturn.Both,
   );
-  item.on('changed', (values) => {
+  item.on('changed', (/** @type {any} */ values) => {
     events.push(Object.fromEntries(fields.map((name, k) => [name, plain(values[k])])));
   });
   return item.statusCode.name;
 }
 
+/** @type {Record<string, (session: ClientSession, parameter: any) => Promise<unknown>>} */
 const actions = {
   tree,
   listen,
@@ -117,7 +148,7 @@ const actions = {
     const call = {
       objectId: 'i=2782',
       methodId: 'i=3875',
-      inputArguments: [{ dataType: DataType.UInt32, value: subscription.subscriptionId }],
+      inputArguments: [{ dataType: DataType.UInt32, value: subscription?.subscriptionId }],
     };
     return (await session.call(call)).statusCode.name;
   },
@@ -132,16 +163,18 @@ async function main() {
   const client = OPCUAClient.create({
     clientCertificateManager,
     endpointMustExist: false,
-    securityMode: MessageSecurityMode[mode],
+    securityMode: MessageSecurityMode[/** @type {keyof typeof MessageSecurityMode} */ (mode)],
     securityPolicy: mode === 'None' ? SecurityPolicy.None : SecurityPolicy.Basic256Sha256,
     connectionStrategy: { maxRetry: 0 },
   });
-  const answer = (value) => process.stdout.write(JSON.stringify(value) + '\n');
+  const answer = (/** @type {unknown} */ value) =>
+    process.stdout.write(JSON.stringify(value) + '\n');
   await client.connect(address);
   const endpoints = (await client.getEndpoints()).map((one) => ({
     mode: MessageSecurityMode[one.securityMode],
-    tokens: one.userIdentityTokens.map((token) => UserTokenType[token.tokenType]),
+    tokens: (one.userIdentityTokens ?? []).map((token) => UserTokenType[token.tokenType]),
   }));
+  /** @type {UserIdentityInfo} */
   const identity = user
     ? { type: UserTokenType.UserName, userName: user, password }
     : { type: UserTokenType.Anonymous };
