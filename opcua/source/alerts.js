@@ -72,6 +72,7 @@ export class Alerts {
   /** @param {Condition} known */
   #end(known) {
     const { condition } = known;
+    known.text = ''; // the next one may have the same number: a daemon counts from its start
     condition.deactivateAlarm();
     condition.currentBranch().setRetain(false);
     condition.raiseNewCondition({

@@ -118,7 +118,12 @@ export class Daemon {
 
   #closed() {
     for (const { reject } of this.answers.values()) reject(new Error(this.reason));
-    this.on_view(null);
+    if (this.stopped) return; // who shows views may be gone
+    try {
+      this.on_view(null);
+    } catch (error) {
+      this.reason = `that the daemon is away cannot be shown: ${first_line(error)}`;
+    }
     if (this.stopped) return;
     if (this.reason !== this.told) console.error(`${this.name}: ${this.reason}; tried again`);
     this.told = this.reason;

@@ -19,6 +19,8 @@ export class Tools {
   #machine;
   /** @type {Map<string, Node>} */
   #nodes = new Map();
+  /** @type {Map<string, Tool>} rows of the table by the names of their nodes */
+  #rows = new Map();
   #version = 0;
 
   /** @param {Machine} machine */
@@ -30,9 +32,9 @@ export class Tools {
 
   /** @param {View} view */
   follow(view) {
-    const tools = new Map(view.tools.slice(0, tools_max).map((tool) => [key_of(tool), tool]));
-    const gone = [...this.#nodes.keys()].filter((key) => !tools.has(key));
-    const come = [...tools].filter(([key]) => !this.#nodes.has(key));
+    this.#rows = new Map(view.tools.slice(0, tools_max).map((tool) => [key_of(tool), tool]));
+    const gone = [...this.#nodes.keys()].filter((key) => !this.#rows.has(key));
+    const come = [...this.#rows].filter(([key]) => !this.#nodes.has(key));
     if (gone.length === 0 && come.length === 0) return;
     for (const key of gone) this.#remove(key);
     for (const [key, tool] of come) this.#nodes.set(key, this.#add(key, tool));
@@ -63,13 +65,13 @@ export class Tools {
       componentOf: this.list,
       optionals: ['ControlIdentifier2', 'Name', 'Identifier'],
     });
-    const row = (/** @type {View} */ view) => view.tools.find((tool) => key_of(tool) === key);
+    const row = () => this.#rows.get(key);
     const { published } = machine;
-    published.add(node.controlIdentifier1, DataType.UInt32, (view) => row(view)?.number);
-    published.add(node.controlIdentifier2, DataType.UInt32, (view) => row(view)?.edge);
+    published.add(node.controlIdentifier1, DataType.UInt32, () => row()?.number);
+    published.add(node.controlIdentifier2, DataType.UInt32, () => row()?.edge);
     published.add_constant(node.controlIdentifierInterpretation, DataType.Int32, number_based);
     published.add_constant(node.identifier, DataType.String, `${number}.${edge}`);
-    published.add(node.name, DataType.String, (view) => row(view)?.name);
+    published.add(node.name, DataType.String, () => row()?.name);
     // The table has no locks: every tool of it may be used.
     published.add_constant(node.locked, DataType.Boolean, false);
     const reason = node.locked.reasonForLocking;
