@@ -15,6 +15,7 @@
 #include "client/offline/machine/job_options.h"
 #include "client/offline/simulate/measurement_observer.h"
 #include "client/offline/simulate/operator_events_file.h"
+#include "client/offline/simulate/part_pictures.h"
 #include "client/offline/simulate/sensor_file.h"
 #include "client/offline/simulate/simulate_library.h"
 #include "client/offline/simulate/speed_limits.h"
@@ -33,6 +34,13 @@
 namespace stanok::client {
 namespace {
 
+// What belongs to several programs, each run by itself.
+struct SeveralPrograms {
+  LibraryOptions library;
+  double limit_s = -1.0;  // of machine time of each
+  std::string pictures;   // folder
+};
+
 struct SimulateOptions {
   JobOptions job;
   std::vector<std::string> programs;
@@ -46,8 +54,7 @@ struct SimulateOptions {
   std::vector<std::string> why;  // lines
   WorkpieceOptions workpiece;
   double until_s = -1.0;
-  double limit_s = -1.0;  // of each program of several
-  LibraryOptions library;
+  SeveralPrograms several;
   bool drives = false;
 };
 
@@ -341,15 +348,15 @@ bool is_one(const Candidates& candidates) {
 // Of several programs each run is by itself: what belongs to one run does not go with them.
 void check_library(const CLI::App& command, const Candidates& candidates) {
   if (is_one(candidates)) {
-    for (const char* option : {"--jobs", "--cache", "--limit"}) {
+    for (const char* option : {"--jobs", "--cache", "--limit", "--pictures"}) {
       if (command.count(option) == 0) continue;
       throw CLI::ValidationError(option, "belongs to several programs, or a folder of them");
     }
     return;
   }
-  static constexpr std::array known{"PROGRAM",        "--machine", "--channel", "--scheme",
-                                    "--program-root", "--json",    "--drives",  "--jobs",
-                                    "--cache",        "--limit"};
+  static constexpr std::array known{
+      "PROGRAM",  "--machine", "--channel", "--scheme", "--program-root", "--json",
+      "--drives", "--jobs",    "--cache",   "--limit",  "--pictures",     "--workpiece-memory"};
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     const bool is_known = std::ranges::find(known, name) != known.end();
@@ -359,9 +366,14 @@ void check_library(const CLI::App& command, const Candidates& candidates) {
 }
 
 int run_several(const SimulateOptions& given, const Candidates& candidates) {
-  const LibrarySimulation wanted{
-      .job = given.job, .limit_s = given.limit_s, .drives = given.drives};
-  return run_library(candidates, given.library, simulation_work(wanted), simulation_output(wanted));
+  if (!given.several.pictures.empty()) check_pictures(candidates, given.several.pictures);
+  const LibrarySimulation wanted{.job = given.job,
+                                 .limit_s = given.several.limit_s,
+                                 .drives = given.drives,
+                                 .pictures = given.several.pictures,
+                                 .workpiece_memory_mib = given.workpiece.memory_mib};
+  return run_library(candidates, given.several.library, simulation_work(wanted),
+                     simulation_output(wanted));
 }
 
 int run_one(const SimulateOptions& given) {
@@ -428,11 +440,16 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->delimiter(',');
   add_workpiece_options(*command, options->workpiece);
   command
-      ->add_option("--limit", options->limit_s,
+      ->add_option("--limit", options->several.limit_s,
                    "end each of several programs after this machine time, s (W821)")
       ->check(CLI::PositiveNumber)
       ->type_name("SECONDS");
-  add_library_options(*command, options->library);
+  command
+      ->add_option("--pictures", options->several.pictures,
+                   "folder for a picture of what each of several programs leaves of its blank: "
+                   "NAME.nc.png")
+      ->type_name("FOLDER");
+  add_library_options(*command, options->several.library);
   command->callback([options, command, &exit_code] { exit_code = run(*options, *command); });
 }
 

@@ -11,6 +11,8 @@
 #include "base/utf8.h"
 #include "client/offline/library/diagnostic_record.h"
 #include "client/offline/library/record.h"
+#include "client/offline/library/whole_file.h"
+#include "client/offline/simulate/part_pictures.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
@@ -91,6 +93,11 @@ SimulatedProgram simulated(const Candidate& candidate, const LibrarySimulation& 
   options.programs.push_back({wanted.job.channel, name});
   options.program_roots = roots_of(candidate, wanted.job);
   ReadNotes notes(book);
+  std::optional<PartPictures> pictures;
+  if (!wanted.pictures.empty()) {
+    pictures.emplace(machine, wanted.workpiece_memory_mib);
+    options.workpieces = pictures->workpieces();
+  }
   const auto result = runtime::simulate(options, {&notes}, [] { return false; });
   SimulatedProgram program{.file = candidate.path, .ok = result.ok};
   for (const channels::RunReport& run : result.runs) {
@@ -99,6 +106,11 @@ SimulatedProgram simulated(const Candidate& candidate, const LibrarySimulation& 
   }
   program.time_s = result.machine_time_s;
   program.diagnostics = found_in(result, wanted.limit_s);
+  if (pictures) {
+    program.pictures = pictures->drawn(result.runs);
+    const Diagnostics& complaints = pictures->complaints();
+    program.diagnostics.insert(program.diagnostics.end(), complaints.begin(), complaints.end());
+  }
   for (Diagnostic& found : program.diagnostics) {
     if (found.place.file == name) found.place.file = candidate.path;
   }
@@ -111,6 +123,7 @@ std::string record_of(const SimulatedProgram& program) {
                    {"blocks", program.blocks},
                    {"time_s", program.time_s},
                    {"path_mm", program.path_mm},
+                   {"pictures", program.pictures},
                    {"diagnostics", diagnostics_record(program.diagnostics)}});
 }
 
@@ -121,7 +134,8 @@ SimulatedProgram program_of(const std::string& bytes) {
           .blocks = record.at("blocks"),
           .time_s = record.at("time_s"),
           .path_mm = record.at("path_mm"),
-          .diagnostics = diagnostics_of(record.at("diagnostics"))};
+          .diagnostics = diagnostics_of(record.at("diagnostics")),
+          .pictures = record.at("pictures")};
 }
 
 // A program whose run ended the process that did it.
@@ -133,11 +147,35 @@ SimulatedProgram lost(const Candidate& candidate, const std::string& death) {
   return {.file = candidate.path, .diagnostics = {std::move(found)}};
 }
 
+// A picture that fails is no fault of its program, as where one program is simulated.
+int exit_code_with(const Diagnostic& found) {
+  const bool is_of_picture = found.severity == Severity::error && found.code.starts_with("E92");
+  return is_of_picture ? exit_failed : exit_code_of(found);
+}
+
+// Bytes become files: what could not be written is a fault of the program's.
+void write_pictures(SimulatedProgram& program, const std::filesystem::path& first) {
+  std::vector<std::string> files;
+  for (std::size_t k = 0; k < program.pictures.size(); ++k) {
+    const std::string file = numbered(first.string(), k + 1);
+    if (program.pictures[k].empty()) continue;  // told of when it was drawn
+    if (write_whole(file, program.pictures[k])) {
+      files.push_back(file);
+    } else {
+      program.diagnostics.push_back(
+          diagnostic("E9204", Severity::error, file + ": cannot be written"));
+    }
+  }
+  program.pictures = std::move(files);
+}
+
 std::vector<std::string> asked_of(const LibrarySimulation& wanted) {
   std::vector<std::string> asked{"simulate", std::to_string(wanted.job.channel),
                                  std::to_string(wanted.limit_s), std::to_string(wanted.drives),
                                  wanted.job.program_root};
   asked.insert(asked.end(), wanted.job.schemes.begin(), wanted.job.schemes.end());
+  if (!wanted.pictures.empty())
+    asked.push_back("pictures " + std::to_string(wanted.workpiece_memory_mib));
   return asked;
 }
 
@@ -193,6 +231,7 @@ ordered_json simulated_json(const std::vector<SimulatedProgram>& programs) {
                      {"blocks", program.blocks},
                      {"time_s", program.time_s},
                      {"path_mm", program.path_mm}};
+    if (!program.pictures.empty()) one["pictures"] = program.pictures;
     one["diagnostics"] = ordered_json::array();
     for (const Diagnostic& found : program.diagnostics)
       one["diagnostics"].push_back(to_json(found));
@@ -227,6 +266,7 @@ LibraryOutput simulation_output(const LibrarySimulation& wanted) {
   const auto take = [=](const Candidate& candidate, const std::string& result,
                         const std::string& death) {
     programs->push_back(death.empty() ? program_of(result) : lost(candidate, death));
+    write_pictures(programs->back(), picture_of(candidate, wanted.pictures));
     if (wanted.job.json) return;
     for (const Diagnostic& found : programs->back().diagnostics) print(found);
   };
@@ -240,7 +280,7 @@ LibraryOutput simulation_output(const LibrarySimulation& wanted) {
     for (const SimulatedProgram& program : *programs) {
       if (!program.ok) exit_code = std::max(exit_code, exit_failed);
       for (const Diagnostic& found : program.diagnostics)
-        exit_code = std::max(exit_code, exit_code_of(found));
+        exit_code = std::max(exit_code, exit_code_with(found));
     }
     return exit_code;
   };

@@ -1,7 +1,6 @@
 #include "client/offline/workpiece/simulated_parts.h"
 
 namespace stanok::client {
-namespace {
 
 FileNames names_of(const std::vector<channels::RunReport>& runs) {
   return [runs](const simulation::Origin& origin) {
@@ -13,7 +12,18 @@ FileNames names_of(const std::vector<channels::RunReport>& runs) {
   };
 }
 
-}  // namespace
+std::vector<NamedWorkpiece> finished_workpieces(const runtime::SimulatedWorkpieces& simulated,
+                                                const FileNames& name_of) {
+  std::vector<NamedWorkpiece> finished;
+  for (const auto& feed : simulated.feeds()) {
+    feed->follower().flush();
+    for (const auto& workpiece : feed->follower().workpieces()) {
+      finished.push_back({workpiece.get(), title_of(*workpiece, name_of, feed->channel()),
+                          removal_of(*workpiece)});
+    }
+  }
+  return finished;
+}
 
 void add_workpiece_options(CLI::App& command, WorkpieceOptions& options) {
   command
@@ -43,13 +53,7 @@ SimulatedParts::SimulatedParts(const config::MachineFile& file, const WorkpieceO
 
 bool SimulatedParts::finish(const std::vector<channels::RunReport>& runs) {
   names_ = names_of(runs);
-  for (const auto& feed : simulated_->feeds()) {
-    feed->follower().flush();
-    for (const auto& workpiece : feed->follower().workpieces()) {
-      workpieces_.push_back(
-          {workpiece.get(), title_of(*workpiece, names_, feed->channel()), removal_of(*workpiece)});
-    }
-  }
+  workpieces_ = finished_workpieces(*simulated_, names_);
   if (workpieces_.empty() && !refused_ && files_.is_wanted())
     complain(0, "E9201", "no program has announced a workpiece with #workpiece");
   const std::vector<std::string> failures = write_files(workpieces_, files_, names_);

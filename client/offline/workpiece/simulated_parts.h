@@ -17,6 +17,13 @@ struct WorkpieceOptions {
 
 void add_workpiece_options(CLI::App& command, WorkpieceOptions& options);
 
+// As the files of these runs are called; `runs` are kept.
+[[nodiscard]] FileNames names_of(const std::vector<channels::RunReport>& runs);
+
+// What a run has left of its blanks, whole, at its end.
+[[nodiscard]] std::vector<NamedWorkpiece> finished_workpieces(
+    const runtime::SimulatedWorkpieces& simulated, const FileNames& name_of);
+
 class SimulatedParts {
  public:
   // `file` outlives it.
