@@ -159,9 +159,9 @@ export class PagedTrack {
   #parts = new Map<number, PagePart>();
   #ways = new Map<number, PageWays>();
 
-  /** Waits for another path; the first page that comes says which. */
-  expect(): void {
-    this.#id = null;
+  /** Waits for the pages of another path: those of any other that are still under way are left alone. */
+  expect(id: number | null): void {
+    this.#id = id;
     this.#next = 0;
     this.#parts.clear();
     this.#ways.clear();
@@ -183,7 +183,6 @@ export class PagedTrack {
   }
 
   #isWanted(id: number, page: number): boolean {
-    this.#id ??= id;
     return id === this.#id && page >= this.#next;
   }
 

@@ -83,19 +83,24 @@ export class PathFollower {
     const wanted = plan == null ? '' : `${id} ${plan}`;
     if (wanted === this.#asked) return;
     this.#asked = wanted;
-    this.plan.expect();
+    this.plan.expect(plan ?? null);
     this.planned = this.done = 0;
     this.givenUp = null;
     this.part = null;
-    if (wanted !== '') void this.#readPlan(wanted, id);
+    if (plan != null) void this.#readPlan(wanted, id, plan);
   }
 
   // The daemon makes the path in the background: pages that are not there yet are asked for again.
-  async #readPlan(wanted: string, channel: number): Promise<void> {
+  async #readPlan(wanted: string, channel: number, plan: number): Promise<void> {
     try {
       for (let page = 0; wanted === this.#asked;) {
         const answer = await store.call('program.path', { channel, page, system: 'part' });
         if (wanted !== this.#asked) return;
+        if (answer.id !== plan) {
+          // There is a newer one, and the next status says so.
+          await pause(again_ms);
+          continue;
+        }
         this.part ??= answer.part;
         if (answer.geometry != null && page < answer.pages) {
           const geometry = answer.geometry as Geometry;

@@ -52,7 +52,7 @@ const page = (value: number): { points: Float32Array; lines: Uint32Array } => ({
 
 test('pages come into place in whatever order they arrive; those of another path do not', () => {
   const paged = new PagedTrack();
-  paged.expect();
+  paged.expect(5);
   for (const one of [0, 1, 2]) paged.say(5, one, {});
   expect(paged.take(5, 1, page(2))).toBe(0);
   expect(paged.take(4, 0, page(9))).toBe(0);
@@ -60,14 +60,24 @@ test('pages come into place in whatever order they arrive; those of another path
   expect(paged.take(5, 0, page(8))).toBe(0);
   expect(paged.take(5, 2, page(3))).toBe(1);
   expect([...paged.track.lines.subarray(0, paged.track.count)]).toEqual([1, 2, 3]);
-  paged.expect();
+  paged.expect(6);
   expect(paged.track.count).toBe(0);
+});
+
+test('a page of an earlier path that comes late keeps no later one away', () => {
+  const paged = new PagedTrack();
+  const one = { points: new Float32Array(3), lines: new Uint32Array(1) };
+  paged.expect(5);
+  paged.expect(6);
+  expect(paged.take(5, 0, one)).toBe(0);
+  paged.say(6, 0, {});
+  expect(paged.take(6, 0, one)).toBe(1);
 });
 
 test('a page comes into place when its points and what leads to them are known', () => {
   const paged = new PagedTrack();
   const three = { points: new Float32Array(9), lines: new Uint32Array(3) };
-  paged.expect();
+  paged.expect(5);
   expect(paged.say(5, 1, { rapid: [[1, 2]] })).toBe(0);
   expect(paged.take(5, 0, three)).toBe(0);
   expect(paged.take(5, 1, three)).toBe(0);

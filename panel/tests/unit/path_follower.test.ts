@@ -17,6 +17,7 @@ test('a path that was interrupted is read from its beginning', async () => {
     if (isLost && params.page === 1) return Promise.reject(new Error('lost'));
     const geometry = { id: 3, page: params.page, rapid: [], begins: [] };
     return Promise.resolve({
+      id: 3,
       pages: 2,
       complete: true,
       given_up: null,
@@ -39,9 +40,10 @@ test('another path of the same program takes the place of the one before', async
   vi.useFakeTimers();
   const asked: number[] = [];
   let given_up: string | null = null;
+  let id = 3;
   vi.spyOn(store, 'call').mockImplementation(((_: string, { page }: { page: number }) => {
     asked.push(page);
-    return Promise.resolve({ pages: 0, complete: given_up === null, given_up, geometry: null });
+    return Promise.resolve({ id, pages: 0, complete: given_up === null, given_up, geometry: null });
   }) as unknown as typeof store.call);
   const channel = { id: 1, program: 'a.nc', scheme: 1, run: 1, planned_path: 3 } as Channel;
   const follower = new PathFollower();
@@ -52,6 +54,7 @@ test('another path of the same program takes the place of the one before', async
   expect(asked).toEqual([0]);
   const { generation } = follower.plan.track;
   given_up = 'computing_time';
+  id = 4;
   follower.follow({ ...channel, planned_path: 4 });
   await vi.advanceTimersByTimeAsync(5000);
   expect(asked).toEqual([0, 0]);

@@ -10,6 +10,7 @@ const part = (count: number): { points: Float32Array; lines: Uint32Array } => ({
 
 test('feeds and tools of a page hold from their points on, and to its end', () => {
   const paged = new PagedTrack();
+  paged.expect(1);
   paged.say(1, 0, {
     feeds: [
       [0, 0],
