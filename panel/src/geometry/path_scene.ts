@@ -352,6 +352,7 @@ export class PathScene {
     this.#root.updateMatrixWorld(true);
     const isOther = this.#housing.visible !== (machine !== null);
     this.#housing.visible = machine !== null;
+    this.#grid.visible = machine === null;
     this.#plate.visible = machine !== null && part !== null;
     if (this.#plate.visible && part !== null) {
       const radius = this.#radiusAbout(matrixOf(part.pose));
@@ -376,8 +377,11 @@ export class PathScene {
 
   /** The box in which the axes travel; null: it is not shown. */
   limits(box: { low: Place; high: Place } | null): void {
+    const next = new Box3();
+    if (box !== null) next.set(new Vector3(...box.low), new Vector3(...box.high));
+    if (this.#limits.visible === (box !== null) && this.#limits.box.equals(next)) return;
     this.#limits.visible = box !== null;
-    if (box !== null) this.#limits.box.set(new Vector3(...box.low), new Vector3(...box.high));
+    this.#limits.box.copy(next);
     this.draw();
   }
 

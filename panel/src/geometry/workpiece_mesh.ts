@@ -57,6 +57,7 @@ export class WorkpieceMesh {
   }
 
   clear(): void {
+    if (this.#bricks.size === 0) return;
     for (const brick of [...this.#bricks.keys()]) this.#remove(brick);
     this.changed();
   }
