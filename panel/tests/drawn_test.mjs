@@ -1,5 +1,6 @@
 // The path that is drawn is the one that the machine follows: lines in the graphics memory of the browser beside the
 // programmed point of every cycle that `stanok simulate --tip-trace` writes, put on the part by hand. In six situations.
+// With STANOK_WRITE_DOCS=1 it takes the picture of docs/programmer/five-axes.md, too.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -378,4 +379,43 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
 
 situations('on a lathe', 'lathe.toml', (here) => {
   test('a turned part', (context) => here.check(context, turned));
+});
+
+situations('while a mill works on tilted planes', 'trunnion.toml', (here) => {
+  test('the part is cut where its planes lie', async () => {
+    await here.load(flat);
+    const { page, stage } = here;
+    const name = 'tilted_planes.nc';
+    cpSync(join(root, 'programs/examples', name), join(stage.programs, name));
+    await stage.client.call('program.load', { program: name });
+    await stage.switchOn();
+    await stage.client.call('program.run', { program: name, channel: 1 });
+    // The second face, from three points: its system begins at X32 and Y runs along -X there.
+    await until('the tool in the second plane', async () => {
+      const { on_part: on, line } = await stage.status();
+      return line >= 33 && on?.work !== null && Math.abs(on.work[3] - 32) < 1e-4;
+    });
+    const { on_part: on } = await stage.status();
+    const slope = Math.hypot(4, 10);
+    for (const [k, part] of [4 / slope, 0, 10 / slope].entries())
+      assert.ok(Math.abs(on.direction[k] - part) < 1e-5, `${on.direction}`);
+    await page.locator('canvas[data-triangles]:not([data-triangles="0"])').waitFor();
+    if (process.env.STANOK_WRITE_DOCS === '1') {
+      await stage.client.call('program.hold', { channel: 1 });
+      const before = await page.evaluate(() => window.drawnFrom());
+      await page.getByRole('button', { name: 'Machine stands' }).click();
+      await until(
+        'the machine to stand',
+        async () => far(await page.evaluate(() => window.drawnFrom()), before) > 0.1,
+      );
+      await page.getByRole('button', { name: 'Slanted' }).click();
+      await until('a picture of it', async () =>
+        page.locator('canvas').evaluate(({ dataset }) => dataset.how === 'standing'),
+      );
+      await page.screenshot({ path: join(root, 'docs/programmer/pictures/panel-planes.png') });
+      await page.getByRole('button', { name: 'Machine stands' }).click();
+      await stage.client.call('program.resume', { channel: 1 });
+    }
+    await until('the end of the program', async () => !(await stage.status()).line);
+  });
 });
