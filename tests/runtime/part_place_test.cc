@@ -78,15 +78,15 @@ std::vector<PathPoint> of_lines(const std::vector<PathPoint>& points, std::uint3
 
 TEST(PartPlace, AnotherWorkOffsetIsAnotherPlaceOnThePart) {
   const auto points = planned_on("mill3.toml",
-                                 "G21 G90 G17 G54\nG1 X10 F1000\nG10 L2 P2 X5 Y7 Z0\nG55\n"
-                                 "G1 X20 Y0 F500\nM30\n");
-  const auto first = of_lines(points, 2, 2);
-  const auto second = of_lines(points, 5, 5);
+                                 "G21 G90 G17\nG10 L2 P1 X1 Y2 Z-3\nG10 L2 P2 X6 Y9 Z-1\n"
+                                 "G54\nG1 X10 F1000\nG55\nG1 X20 Y0 F500\nM30\n");
+  const auto first = of_lines(points, 5, 5);
+  const auto second = of_lines(points, 7, 7);
   ASSERT_FALSE(first.empty() || second.empty());
   for (const PathPoint& point : first) EXPECT_LT((point.on_part - point.in_W).norm(), rounding_mm);
-  // G54 of this machine may lie anywhere: where the tip goes on is where it was.
-  const Vector3d shift = first.back().on_part - (points.end() - 2)->in_W;
-  EXPECT_LT((second.back().on_part - second.back().in_W - shift).norm(), rounding_mm);
+  const Vector3d from_g54_to_g55(5.0, 7.0, 2.0);
+  for (const PathPoint& point : second)
+    EXPECT_LT((point.on_part - point.in_W - from_g54_to_g55).norm(), rounding_mm);
 }
 
 // I turns about Z, J about the new X: the plane as its matrix says it.
