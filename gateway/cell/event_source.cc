@@ -1,7 +1,6 @@
 #include "gateway/cell/event_source.h"
 
 #include <chrono>
-#include <cmath>
 #include <fstream>
 #include <utility>
 
@@ -43,11 +42,13 @@ json members(const json& row, std::initializer_list<const char*> names) {
 
 }  // namespace
 
-DaemonStart daemon_start(int process, double uptime_s) {
-  DaemonStart start{.boot = "", .process = process, .started_s = 0.0};
+DaemonStart daemon_start(int process, double uptime_s,
+                         std::chrono::steady_clock::time_point asked) {
+  using Seconds = std::chrono::duration<double>;
+  DaemonStart start{.boot = "", .process = process, .started_s = 0.0, .uncertain_s = 0.0};
   std::ifstream("/proc/sys/kernel/random/boot_id") >> start.boot;
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  start.started_s = std::chrono::duration<double>(now).count() - uptime_s;
+  start.started_s = Seconds(asked.time_since_epoch()).count() - uptime_s;
+  start.uncertain_s = Seconds(std::chrono::steady_clock::now() - asked).count();
   return start;
 }
 
@@ -58,14 +59,18 @@ EventSource::EventSource(std::string machine, Outbox& outbox)
 }
 
 void EventSource::meet(const DaemonStart& start) {
-  constexpr double same_within_s = 2.0;
+  constexpr double same_within_s = 2.0;  // clocks and their steps
+  const double known_s = mark_.value("started_s", 0.0);
+  const double known_end_s = known_s + mark_.value("uncertain_s", 0.0);
   const bool is_same = mark_.value("boot", "") == start.boot &&
                        mark_.value("process", 0) == start.process &&
-                       std::abs(mark_.value("started_s", 0.0) - start.started_s) < same_within_s;
+                       start.started_s < known_end_s + same_within_s &&
+                       known_s < start.started_s + start.uncertain_s + same_within_s;
   if (is_same) return;
   mark_["boot"] = start.boot;
   mark_["process"] = start.process;
   mark_["started_s"] = start.started_s;
+  mark_["uncertain_s"] = start.uncertain_s;
   mark_["channels"] = json::object();
 }
 

@@ -7,6 +7,7 @@
 // clock of the gateway.
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -21,11 +22,14 @@ namespace stanok::gateway {
 struct DaemonStart {
   std::string boot;
   int process = 0;
-  double started_s = 0.0;  // since the boot
+  double started_s = 0.0;    // since the boot; not earlier
+  double uncertain_s = 0.0;  // and not later than so long after that
 };
 
-// Of the daemon that says of itself that it runs as `process` since `uptime_s`, now.
-[[nodiscard]] DaemonStart daemon_start(int process, double uptime_s);
+// Of the daemon that was asked at `asked` and said until now that it runs as `process` since
+// `uptime_s`.
+[[nodiscard]] DaemonStart daemon_start(int process, double uptime_s,
+                                       std::chrono::steady_clock::time_point asked);
 
 class EventSource {
  public:

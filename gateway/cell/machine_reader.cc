@@ -92,8 +92,9 @@ asio::awaitable<void> MachineReader::greet() {
                              " has no place for the gateway, or is no daemon");
   json role{{"role", "observer"}, {"name", "stanok-gateway"}};
   static_cast<void>(co_await ask("session.role", std::move(role)));
+  const auto asked = Clock::now();
   const json info = co_await ask("system.info", json::object());
-  events_.meet(daemon_start(info.value("pid", 0), info.value("uptime_s", 0.0)));
+  events_.meet(daemon_start(info.value("pid", 0), info.value("uptime_s", 0.0), asked));
   json subscription{{"topics", {"machine", "channels", "events"}}, {"rate_hz", rate_hz_}};
   static_cast<void>(co_await ask("subscribe", std::move(subscription)));
 }

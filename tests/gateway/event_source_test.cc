@@ -86,12 +86,33 @@ TEST_F(TheSource, GoesOnWhereAGatewayBeforeItEnded) {
 TEST_F(TheSource, CountsAnewForAnotherDaemon) {
   source_.take_runs(runs({run(1, "good")}), {});
   static_cast<void>(seen());
-  for (const DaemonStart& other :
-       {DaemonStart{"b", 8, 100.0}, DaemonStart{"b", 7, 200.0}, DaemonStart{"other", 7, 100.0}}) {
+  for (const DaemonStart& other : {DaemonStart{"b", 8, 100.0, 0.0}, DaemonStart{"b", 7, 200.0, 0.0},
+                                   DaemonStart{"other", 7, 100.0, 0.0}}) {
     source_.meet(other);
     source_.take_runs(runs({run(1, "good")}), {});
     EXPECT_EQ(seen(), "run_begun 1;run_ended 1;");
   }
+}
+
+// A busy computer: question or answer were long on their way, now or when it was met first.
+TEST_F(TheSource, KnowsADaemonAgainWhoseAnswerWasLate) {
+  source_.take_runs(runs({run(1, "good")}), {});
+  static_cast<void>(seen());
+  source_.meet({.boot = "b", .process = 7, .started_s = 91.0, .uncertain_s = 30.0});
+  source_.take_runs(runs({run(1, "good")}), {});
+  EXPECT_EQ(seen(), "");
+  gateway::Outbox outbox{folder_.path() / "other.sqlite"};
+  EventSource late("mill", outbox);
+  late.meet({.boot = "b", .process = 7, .started_s = 91.0, .uncertain_s = 30.0});
+  late.take_runs(runs({run(1, "good")}), {});
+  EXPECT_EQ(outbox.behind(0, 10).size(), 2U);
+  late.meet({.boot = "b", .process = 7, .started_s = 119.0, .uncertain_s = 0.1});
+  late.take_runs(runs({run(1, "good")}), {});
+  EXPECT_EQ(outbox.behind(0, 10).size(), 2U);
+  // One that started later than that is another one.
+  late.meet({.boot = "b", .process = 7, .started_s = 124.0, .uncertain_s = 0.1});
+  late.take_runs(runs({run(1, "good")}), {});
+  EXPECT_EQ(outbox.behind(0, 10).size(), 4U);
 }
 
 TEST_F(TheSource, TellsWhatTheDaemonHadForgotten) {
