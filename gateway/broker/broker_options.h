@@ -1,6 +1,7 @@
 // How the broker is reached.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 
@@ -14,6 +15,8 @@ struct BrokerOptions {
   std::filesystem::path tls_ca;         // empty: no TLS
   std::filesystem::path tls_certificate;
   std::filesystem::path tls_key;
+  // Events acknowledged later than that before a connection was lost are sent again.
+  std::chrono::seconds resent{10};
 };
 
 }  // namespace stanok::gateway

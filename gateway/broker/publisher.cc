@@ -25,7 +25,8 @@ Publisher::Publisher(BrokerOptions options, std::string prefix, std::filesystem:
     : options_(std::move(options)),
       prefix_(std::move(prefix)),
       outbox_file_(std::move(outbox)),
-      board_(board) {}
+      board_(board),
+      settled_(options_.resent) {}
 
 void Publisher::run(const std::stop_token& stop) {
   Backoff backoff;
@@ -47,6 +48,7 @@ void Publisher::serve(const std::stop_token& stop, Outbox& outbox) {
   const std::string own_topic(topic_of(prefix_, "", topic::gateway));
   BrokerConnection connection(options_, {own_topic, online("no"), Will::Keeping::retained});
   under_way_.clear();
+  settled_.clear();
   sent_ = outbox.position(consumer);
   while (!stop.stop_requested()) {
     connection.step(step_time);
@@ -85,12 +87,15 @@ void Publisher::send_events(BrokerConnection& connection, Outbox& outbox) {
   }
 }
 
-// The position is behind the last one before which all are acknowledged.
+// The position is behind the last one before which all were acknowledged long enough ago.
 void Publisher::note_acknowledged(BrokerConnection& connection, Outbox& outbox) {
+  const auto now = SettledPosition::Clock::now();
   const std::set<int> acknowledged = connection.take_acknowledged();
-  if (acknowledged.empty()) return;
-  std::erase_if(under_way_, [&](const auto& one) { return acknowledged.contains(one.second); });
-  outbox.set_position(consumer, under_way_.empty() ? sent_ : under_way_.begin()->first - 1);
+  if (!acknowledged.empty()) {
+    std::erase_if(under_way_, [&](const auto& one) { return acknowledged.contains(one.second); });
+    settled_.acknowledge(under_way_.empty() ? sent_ : under_way_.begin()->first - 1, now);
+  }
+  if (const auto number = settled_.take(now)) outbox.set_position(consumer, *number);
 }
 
 std::string Publisher::online(const char* word) const {

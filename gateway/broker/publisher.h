@@ -2,8 +2,8 @@
 //
 // States are sent when they are new and nothing else waits for the network: a slow broker gets
 // fewer of them. Events are sent in their order, some of them at once, until the broker has
-// acknowledged them; what is not acknowledged when the connection ends is sent again on the next
-// one, with the same number.
+// acknowledged them. What is not acknowledged when the connection ends, or was only shortly before,
+// is sent again on the next one, with the same number.
 #pragma once
 
 #include <chrono>
@@ -15,6 +15,7 @@
 
 #include "gateway/broker/broker_connection.h"
 #include "gateway/broker/broker_options.h"
+#include "gateway/broker/settled_position.h"
 #include "gateway/cell/state_board.h"
 #include "gateway/outbox/outbox.h"
 
@@ -45,6 +46,7 @@ class Publisher {
   bool was_connected_ = false;
   std::int64_t sent_ = 0;                  // up to this number
   std::map<std::int64_t, int> under_way_;  // by number of the outbox; of the connection
+  SettledPosition settled_;
 };
 
 }  // namespace stanok::gateway

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -27,6 +28,7 @@ struct CommandLine {
   std::string broker = "127.0.0.1:1883";
   std::string history;
   std::string keep = "400d";
+  int resend_s = 10;
   GatewayOptions options;
 };
 
@@ -47,6 +49,11 @@ void add_broker_options(CLI::App& app, CommandLine& given) {
   app.add_option("--tls-cert", broker.tls_certificate, "certificate of the gateway (PEM)")
       ->type_name("FILE");
   app.add_option("--tls-key", broker.tls_key, "its key (PEM)")->type_name("FILE");
+  app.add_option("--resend", given.resend_s,
+                 "events acknowledged so shortly before a connection was lost are sent again; "
+                 "default 10 s")
+      ->check(CLI::Range(0, 86400))
+      ->type_name("SECONDS");
 }
 
 void add_options(CLI::App& app, CommandLine& given) {
@@ -78,6 +85,7 @@ GatewayOptions complete(CommandLine given) {
   for (const std::string& text : given.daemons)
     options.machines.push_back(stanok::gateway::machine_address(text));
   stanok::gateway::set_broker(given.broker, options);
+  options.broker.resent = std::chrono::seconds(given.resend_s);
   options.keep_days = stanok::gateway::days_of(given.keep);
   if (options.state_folder.empty())
     options.state_folder = stanok::protocol::default_state_directory("gateway");

@@ -17,7 +17,7 @@ import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
-from running_broker import PATIENCE_S, Broker, Subscriber  # noqa: E402
+from running_broker import PATIENCE_S, Broker, ForgetfulBroker, Subscriber  # noqa: E402
 from running_daemon import Operator, Refused, running_daemon  # noqa: E402
 from running_gateway import running_gateway  # noqa: E402
 
@@ -200,6 +200,32 @@ class TheCell(unittest.TestCase):
             self.wait_for(lambda: watched.next() and "NDEATH" in watched.seen, "the death of the node")
             self.assertEqual(watched.died_with, watched.metrics[""]["bdSeq"])
 
+    def test_what_a_broker_acknowledged_and_forgot_is_sent_again(self):
+        broker, machine = ForgetfulBroker(), Machine(self.stack)
+        self.stack.callback(broker.end)
+        self.gateway({"mill": machine}, broker)
+        machine.run()
+        self.wait_for(lambda: broker.events and len(broker.events[-1]) >= 2, "the run")
+        first = list(broker.events[-1])
+        count = len(broker.events)
+        broker.die()
+        self.wait_for(lambda: len(broker.events) > count and len(broker.events[-1]) >= len(first), "the run again")
+        self.assertEqual([json.loads(text) for text in broker.events[-1][:len(first)]],
+                         [json.loads(text) for text in first])
+
+    def test_a_broker_that_is_trusted_at_once_gets_nothing_twice(self):
+        broker, machine = ForgetfulBroker(), Machine(self.stack)
+        self.stack.callback(broker.end)
+        self.gateway({"mill": machine}, broker, ("--resend", "0"))
+        machine.run()
+        self.wait_for(lambda: broker.events and len(broker.events[-1]) >= 2, "the run")
+        machine.run()
+        self.wait_for(lambda: len(broker.events[-1]) >= 4, "the next run")
+        broker.die()
+        machine.run()
+        self.wait_for(lambda: len(broker.events) > 1 and len(broker.events[-1]) >= 2, "a run on the next connection")
+        self.assertGreater(json.loads(broker.events[-1][0])["seq"], 2)
+
     def test_a_broker_that_dies_under_events_loses_none(self):
         """Runs of two machines go on while the broker is killed and brought back, and once the gateway is."""
         broker = self.broker()
@@ -207,6 +233,8 @@ class TheCell(unittest.TestCase):
         ended = threading.Event()
         workers = [threading.Thread(target=self.work, args=(machine, ended)) for machine in machines.values()]
         got = Received(broker.port)
+        self.addCleanup(got.end)
+        self.addCleanup(ended.set)
         with contextlib.ExitStack() as first:
             daemons = {name: machine.socket for name, machine in machines.items()}
             process = first.enter_context(running_gateway(GATEWAY, self.folder, daemons, broker.port))
@@ -230,12 +258,20 @@ class TheCell(unittest.TestCase):
                 thread.join()
             for name, machine in machines.items():
                 self.wait_for(lambda: got.ends[name] == set(range(1, machine.runs + 1)),
-                              f"all {machine.runs} runs of {name}: {sorted(got.ends[name])}")
-        got.ended = True
-        got.thread.join()
+                              lambda: self.missing_of(name, machine, got))
+        got.end()
         # No number is missing, and each is known once.
         self.assertEqual(got.numbers, set(range(1, len(got.numbers) + 1)), got.late)
         print(f"{DEATHS} deaths: {len(got.numbers)} events, {got.repeated} repeated, {len(got.late)} out of order")
+
+    @staticmethod
+    def missing_of(name, machine, got):
+        """What tells a loss on the way from one that the gateway never told, and that from one of the daemon."""
+        missing = set(range(1, machine.runs + 1)) - got.ends[name]
+        kept = {run["number"]: run["ended"] for run in machine.insist("program.history")["runs"]}
+        numbers = sorted(set(range(1, max(got.numbers, default=0) + 1)) - got.numbers)
+        return (f"the ends of runs {sorted(missing)} of {name}; the daemon has "
+                f"{ {number: kept.get(number, 'nothing') for number in missing} }; events never seen: {numbers}")
 
     @staticmethod
     def work(machine, ended):
@@ -245,7 +281,8 @@ class TheCell(unittest.TestCase):
     def wait_for(self, condition, what):
         end = time.monotonic() + 2 * PATIENCE_S
         while not condition():
-            self.assertLess(time.monotonic(), end, f"never {what}")
+            if time.monotonic() > end:
+                self.fail(f"never {what() if callable(what) else what}")
             time.sleep(0.02)
 
 
@@ -336,6 +373,11 @@ class Received:
         self.late = []  # behind a higher number
         self.ends = {"mill": set(), "lathe": set()}
         self.thread = threading.Thread(target=self.follow)
+
+    def end(self):
+        self.ended = True
+        if self.thread.is_alive():
+            self.thread.join()
 
     def follow(self):
         while not self.ended:

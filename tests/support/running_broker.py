@@ -10,6 +10,7 @@ import socket
 import ssl
 import struct
 import subprocess
+import threading
 import time
 
 PATIENCE_S = 30
@@ -59,6 +60,78 @@ class Broker:
         self.process.wait()
 
 
+class ForgetfulBroker:
+    """Acknowledges events, delivers none, and forgets them when it loses its connections: what a broker does that keeps
+    in memory what it has acknowledged, and dies. Source: MQTT 3.1.1, OASIS 2014, chapter 3."""
+
+    def __init__(self):
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.port = self.listener.getsockname()[1]
+        self.connections, self.events = [], []  # of each connection, the payloads that it acknowledged
+        self.threads = [threading.Thread(target=self.accept)]
+        self.threads[0].start()
+
+    def accept(self):
+        while True:
+            try:
+                connection, _ = self.listener.accept()
+            except OSError:
+                return
+            events = []
+            self.events.append(events)
+            self.connections.append(connection)
+            self.threads.append(threading.Thread(target=self.serve, args=(connection, events)))
+            self.threads[-1].start()
+
+    def serve(self, connection, events):
+        with connection, contextlib.suppress(OSError):
+            while True:
+                kind, body = packet_from(connection)
+                if kind >> 4 == 1:
+                    connection.sendall(b"\x20\x02\0\0")
+                elif kind >> 4 == 12:
+                    connection.sendall(b"\xd0\0")
+                elif kind >> 4 == 3 and kind >> 1 & 3:
+                    size = struct.unpack_from(">H", body)[0]
+                    events.append(body[4 + size:].decode())
+                    connection.sendall(b"\x40\x02" + body[2 + size:4 + size])
+
+    def die(self):
+        for connection in self.connections:
+            with contextlib.suppress(OSError):
+                connection.shutdown(socket.SHUT_RDWR)
+        self.connections.clear()
+
+    def end(self):
+        self.listener.shutdown(socket.SHUT_RDWR)
+        self.listener.close()
+        self.threads[0].join()
+        self.die()
+        for thread in self.threads[1:]:
+            thread.join()
+
+
+def exactly(connection, count):
+    got = b""
+    while len(got) < count:
+        part = connection.recv(count - len(got))
+        if not part:
+            raise ConnectionError("the other side has gone")
+        got += part
+    return got
+
+
+def packet_from(connection):
+    """The first byte and the body of the next packet."""
+    kind, length, shift = exactly(connection, 1)[0], 0, 0
+    while True:
+        digit = exactly(connection, 1)[0]
+        length |= (digit & 127) << shift
+        shift += 7
+        if digit < 128:
+            return kind, exactly(connection, length)
+
+
 class Subscriber:
     """One session, QoS 1, that acknowledges what it got. Source: MQTT 3.1.1, OASIS 2014, chapter 3."""
 
@@ -97,23 +170,8 @@ class Subscriber:
                 break
         self.socket.sendall(bytes([kind]) + length + body)
 
-    def exactly(self, count):
-        got = b""
-        while len(got) < count:
-            part = self.socket.recv(count - len(got))
-            if not part:
-                raise ConnectionError("the broker has gone")
-            got += part
-        return got
-
     def packet(self):
-        kind, length, shift = self.exactly(1)[0], 0, 0
-        while True:
-            digit = self.exactly(1)[0]
-            length |= (digit & 127) << shift
-            shift += 7
-            if digit < 128:
-                return kind, self.exactly(length)
+        return packet_from(self.socket)
 
     def receive(self):
         """As receive_bytes, of a payload that is text."""
