@@ -1,6 +1,7 @@
 #include "runtime/cutting/grind_log.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stanok_messages/setpoint_t.hpp>
 #include <stdexcept>
 #include <utility>
@@ -69,7 +70,7 @@ GrindLog read_grind_log(const std::filesystem::path& file, const GrindLogRequest
     readings.take(*event);
     if (event->channel != setpoints) continue;
     const auto message = recording::decode<setpoint_t>(event->bytes);
-    if (!message) continue;
+    if (!message || !is_number_of_a_cycle(message->cycle)) continue;
     request.bounds.check(x_mm.size());
     if (first_cycle < 0) first_cycle = message->cycle;
     x_mm.push_back(message->tip_position[axis]);
@@ -91,12 +92,10 @@ GrindLog read_grind_log(const std::filesystem::path& file, const GrindLogRequest
     log.time_s.push_back(static_cast<double>(k) * cycle_s);
   }
   // What a cycle was given is what the cycle before had made.
-  for (const PowerReading& reading : readings.held()) {
-    const std::int64_t row =
-        reading.cycle - 1 - first_cycle - static_cast<std::int64_t>(plunge.begin);
-    if (row >= 0 && std::cmp_less(row, log.record.rows.size()))
-      log.record.rows[checked_size(row)].power_w = reading.power_w;
-  }
+  const std::int64_t begin = first_cycle + 1 + static_cast<std::int64_t>(plunge.begin);
+  const std::vector<double> power_w = readings.given(begin, log.record.rows.size());
+  for (std::size_t k = 0; k < power_w.size(); ++k)
+    if (!std::isnan(power_w[k])) log.record.rows[k].power_w = power_w[k];
   return log;
 }
 

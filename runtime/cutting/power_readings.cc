@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
-#include <utility>
 
 #include "base/place.h"
 #include "recording/format/channel_names.h"
@@ -38,38 +37,48 @@ void PowerReadings::take(const recording::LogEvent& event) {
   if (input == nullptr || input->spindle != spindle_ ||
       input->quantity != channels::SpindleQuantity::power_w)
     return;
+  if (!is_number_of_a_cycle(record.cycle)) return;
   changes_.push_back({.cycle = record.cycle, .power_w = input->value});
 }
 
-std::vector<PowerReading> PowerReadings::held() const {
-  if (changes_.size() < 3) return changes_;
+std::vector<double> PowerReadings::given(std::int64_t first, std::size_t cycles) const {
+  std::vector<double> power(cycles, std::numeric_limits<double>::quiet_NaN());
+  if (!is_number_of_a_cycle(first)) return power;
+  const std::int64_t end = first + std::ssize(power);
+  const std::int64_t poll = usual_gap();
+  for (std::size_t k = 0; k < changes_.size(); ++k) {
+    const std::int64_t since = changes_[k].cycle;
+    const bool is_held = poll > 0 && k + 1 < changes_.size();
+    const std::int64_t until = std::min(is_held ? changes_[k + 1].cycle : since + 1, end);
+    if (since >= first && since < end) power[checked_size(since - first)] = changes_[k].power_w;
+    if (!is_held) continue;
+    // The first poll of the cycles that are asked for.
+    const std::int64_t missed = since < first ? (first - since + poll - 1) / poll : 1;
+    for (std::int64_t cycle = since + missed * poll; cycle < until; cycle += poll)
+      power[checked_size(cycle - first)] = changes_[k].power_w;
+  }
+  return power;
+}
+
+// Between two polls, in cycles; 0: not known, of too few readings.
+std::int64_t PowerReadings::usual_gap() const {
+  if (changes_.size() < 3) return 0;
   std::vector<std::int64_t> gaps;
   for (std::size_t k = 1; k < changes_.size(); ++k)
     gaps.push_back(changes_[k].cycle - changes_[k - 1].cycle);
   std::ranges::nth_element(gaps, gaps.begin() + std::ssize(gaps) / 2);
-  const std::int64_t poll = std::max<std::int64_t>(1, gaps[gaps.size() / 2]);
-  std::vector<PowerReading> all;
-  for (std::size_t k = 0; k + 1 < changes_.size(); ++k) {
-    all.push_back(changes_[k]);
-    for (std::int64_t cycle = changes_[k].cycle + poll; cycle < changes_[k + 1].cycle;
-         cycle += poll)
-      all.push_back({.cycle = cycle, .power_w = changes_[k].power_w});
-  }
-  all.push_back(changes_.back());
-  return all;
+  return std::max<std::int64_t>(1, gaps[gaps.size() / 2]);
 }
 
 std::vector<double> PowerReadings::by_row(std::int64_t first_cycle,
                                           const std::vector<double>& rev_per_min,
                                           double cycle_s) const {
   const std::vector<bool> is_steady = steady_rows(rev_per_min, cycle_s);
-  std::vector<double> power(rev_per_min.size(), std::numeric_limits<double>::quiet_NaN());
   // What a cycle was given is what the cycle before had made.
-  for (const PowerReading& reading : held()) {
-    const std::int64_t row = reading.cycle - 1 - first_cycle;
-    if (row >= 0 && std::cmp_less(row, power.size()) && is_steady[checked_size(row)])
-      power[checked_size(row)] = reading.power_w;
-  }
+  const std::int64_t begin = is_number_of_a_cycle(first_cycle) ? first_cycle + 1 : first_cycle;
+  std::vector<double> power = given(begin, rev_per_min.size());
+  for (std::size_t row = 0; row < power.size(); ++row)
+    if (!is_steady[row]) power[row] = std::numeric_limits<double>::quiet_NaN();
   return power;
 }
 

@@ -15,6 +15,11 @@ struct PowerReading {
   double power_w = 0.0;
 };
 
+// No machine runs longer than that: other numbers are bytes of a damaged log.
+[[nodiscard]] constexpr bool is_number_of_a_cycle(std::int64_t number) {
+  return number >= 0 && number <= std::int64_t{1} << 53;
+}
+
 class PowerReadings {
  public:
   // `spindle`: of the machine, from 0 on.
@@ -22,8 +27,9 @@ class PowerReadings {
 
   void take(const recording::LogEvent& event);
   [[nodiscard]] bool is_empty() const { return changes_.empty(); }
-  // With those of the polls that showed what the one before had shown.
-  [[nodiscard]] std::vector<PowerReading> held() const;
+  // What each of so many cycles from `first` on was given, also by polls that showed what the one
+  // before had shown; not a number: nothing.
+  [[nodiscard]] std::vector<double> given(std::int64_t first, std::size_t cycles) const;
   // The power at the end of each of the cycles from `first_cycle` on, in which the spindle has
   // these speeds; not a number where the sensor showed nothing, and where the spindle has not kept
   // its speed for half a second: a ramp takes power of its own.
@@ -32,6 +38,8 @@ class PowerReadings {
                                            double cycle_s) const;
 
  private:
+  [[nodiscard]] std::int64_t usual_gap() const;
+
   int spindle_;
   std::vector<PowerReading> changes_;
 };
