@@ -148,6 +148,7 @@ TEST_F(Library, AnEndlessProgramEndsAtTheLimit) {
 }
 
 // The processes of a command are ended from outside while each is at a program that takes its time.
+// A child that LeakSanitizer has at the end is none of them, and must be left alone.
 TEST_F(Library, AProgramWhoseProcessEndsIsTold) {
   fs::remove_all(programs());
   fs::create_directories(programs());
@@ -159,8 +160,8 @@ TEST_F(Library, AProgramWhoseProcessEndsIsTold) {
       "command=$!; while kill -0 $command 2>/dev/null; do "
       "for child in $(cat /proc/$command/task/$command/children 2>/dev/null); do "
       "kill -KILL $child 2>/dev/null; done; sleep 0.05; done; wait $command";
-  const std::string line = "bash -c '" + stanok_program + " check " + programs().string() +
-                           " --jobs 2 --machine " + testing::source_folder() +
+  const std::string line = "ASAN_OPTIONS=detect_leaks=0 bash -c '" + stanok_program + " check " +
+                           programs().string() + " --jobs 2 --machine " + testing::source_folder() +
                            "/config/machines/mill3.toml >/dev/null 2>" + messages.string() +
                            " </dev/null & " + script + "'";
   const int status = std::system(line.c_str());
