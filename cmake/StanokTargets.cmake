@@ -115,7 +115,24 @@ function(stanok_plugin name)
   set_property(GLOBAL APPEND PROPERTY STANOK_LAYERS "${ARG_FOLDER} ${ARG_DEPENDS}")
 endfunction()
 
-# stanok_tests(<folder> [LIBRARIES dependency...]): tests/<folder>/*_test.cc become <folder>_tests, one ctest each.
+# stanok_test_suites(<target> <prefix>): one ctest for each suite of a test program, listed when ctest starts. Beginning
+# a process takes longer than most cases, a quarter of a second where it is sanitized. Full-size workloads are left out.
+function(stanok_test_suites target prefix)
+  set(timeout_s 300)  # ends what hangs
+  if(STANOK_SANITIZE STREQUAL "thread")
+    set(timeout_s 1500)
+  elseif(STANOK_SANITIZE)
+    set(timeout_s 900)
+  endif()
+  set(listing ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
+  file(GENERATE OUTPUT ${listing} CONTENT
+    "set(program $<TARGET_FILE:${target}>)\nset(prefix ${prefix})\nset(timeout_s ${timeout_s})\n\
+include(${CMAKE_SOURCE_DIR}/cmake/ListSuites.cmake)\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listing})
+endfunction()
+
+# stanok_tests(<folder> [LIBRARIES dependency...]): tests/<folder>/*_test.cc become <folder>_tests, one ctest each suite; those
+# called ...FullSize... are one in the configuration `long` of what is not sanitized.
 function(stanok_tests folder)
   cmake_parse_arguments(ARG "" "" "TARGETS;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${folder}/*_test.cc)
@@ -134,11 +151,12 @@ function(stanok_tests folder)
   foreach(library IN LISTS ARG_LIBRARIES)
     target_link_libraries(${folder}_tests PRIVATE stanok_dep_${library})
   endforeach()
-  # ThreadSanitizer makes a program ten times slower; the limit is there to end what hangs.
-  set(timeout_s 300)
-  if(STANOK_SANITIZE STREQUAL "thread")
-    set(timeout_s 1500)
-  endif()
-  gtest_discover_tests(${folder}_tests TEST_PREFIX ${folder}. DISCOVERY_MODE PRE_TEST
-                       PROPERTIES TIMEOUT ${timeout_s})
+  stanok_test_suites(${folder}_tests ${folder})
+  foreach(source IN LISTS sources)
+    file(STRINGS ${source} full_size REGEX "FullSize" LIMIT_COUNT 1)
+    if(full_size AND NOT STANOK_SANITIZE AND NOT TEST ${folder}.full_size)
+      add_test(NAME ${folder}.full_size CONFIGURATIONS long COMMAND ${folder}_tests --gtest_filter=*FullSize*)
+      set_tests_properties(${folder}.full_size PROPERTIES LABELS long TIMEOUT 3000)
+    endif()
+  endforeach()
 endfunction()

@@ -42,33 +42,31 @@ TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
 }
 
 constexpr Example example_programs[] = {
-    {"square_and_circle", "mill3", ""},
-    {"helix", "mill3", ""},
-    {"bolt_circle", "mill3", ""},
-    {"tilted_pocket", "e7106mf4", "2"},
-    {"trunnion", "trunnion", ""},
-    {"lathe", "lathe", ""},
-    {"millturn4", "millturn4", ""},
-    {"helix", "mill5", ""},
-    {"helix", "stress8", ""},
-    {"thread", "lathe", ""},
-    {"chip_breaking", "lathe", ""},
-    {"slender_shaft", "lathe", ""},
-    {"plunge_grinding", "grinder", ""},
-    {"adaptive_steps", "lathe", ""},
-    {"workpiece", "e7106mf4", ""},
-    {"turned_part", "lathe", ""},
+    {"square_and_circle", "mill3", ""}, {"helix", "mill3", ""},
+    {"bolt_circle", "mill3", ""},       {"tilted_pocket", "e7106mf4", "2"},
+    {"trunnion", "trunnion", ""},       {"lathe", "lathe", ""},
+    {"millturn4", "millturn4", ""},     {"helix", "mill5", ""},
+    {"helix", "stress8", ""},           {"thread", "lathe", ""},
+    {"chip_breaking", "lathe", ""},     {"slender_shaft", "lathe", ""},
+    {"plunge_grinding", "grinder", ""}, {"adaptive_steps", "lathe", ""},
+    {"workpiece", "e7106mf4", ""},      {"turned_part", "lathe", ""},
+};
+// Touched by a probe in many places.
+constexpr Example long_programs[] = {
     {"measured_part", "mill3_probe", ""},
 };
 
-INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(example_programs),
-                         [](const auto& example) {
-                           return std::string(example.param.name) + "_on_" + example.param.machine;
-                         });
+std::string name_of(const ::testing::TestParamInfo<Example>& example) {
+  return std::string(example.param.name) + "_on_" + example.param.machine;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExampleProgram, ::testing::ValuesIn(example_programs), name_of);
+INSTANTIATE_TEST_SUITE_P(FullSize, ExampleProgram, ::testing::ValuesIn(long_programs), name_of);
 
 TEST(ExamplePrograms, ExistForEveryMachineFile) {
   std::set<std::string> machines;
   for (const Example& example : example_programs) machines.insert(example.machine);
+  for (const Example& example : long_programs) machines.insert(example.machine);
   for (const auto& entry : std::filesystem::directory_iterator(root + "/config/machines")) {
     if (entry.path().extension() != ".toml") continue;
     EXPECT_TRUE(machines.contains(entry.path().stem().string())) << entry.path();

@@ -94,7 +94,7 @@ TEST_F(ForceControlRun, HoldsTheForceOverStepsOfDepthAndHardness) {
 }
 
 // The greatest constant feed that keeps 1200 N in the deepest step: h^0.75 = 1200 / (1600 x 3).
-TEST_F(ForceControlRun, IsFasterThanTheBestConstantFeed) {
+TEST_F(ForceControlRun, IsFasterThanTheBestConstantFeedFullSize) {
   Cycles controlled;
   const double with = static_cast<double>(run(example(), controlled).cycles);
   const double h = std::pow(1200.0 / (1600.0 * 3.0), 1.0 / 0.75);

@@ -65,7 +65,7 @@ double width_at(const simulation::Workpiece& workpiece, int axis, const simulati
   return above - below;
 }
 
-TEST(MeasuredCut, IsRightWhenItIsCutAgainWithWhatWasMeasured) {
+TEST(MeasuredCut, IsRightWhenItIsCutAgainWithWhatWasMeasuredFullSize) {
   MeasuringBench bench;
   bench.real_radius(1, 3.025);
   bench.options.workpieces = std::make_shared<SimulatedWorkpieces>(

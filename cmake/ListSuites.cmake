@@ -1,0 +1,21 @@
+# Read by ctest when it starts: one test for each suite of a test program, without its full-size workloads. `program`,
+# `prefix` and `timeout_s` are set by who includes it, stanok_test_suites.
+if(NOT EXISTS ${program})
+  add_test(${prefix}.NOT_BUILT ${program})
+  return()
+endif()
+execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result ERROR_VARIABLE errors)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${program} --gtest_list_tests: ${result}\n${errors}")
+endif()
+# Suites begin a line and end with a dot; their cases are indented.
+string(REGEX MATCHALL "(^|\n)[^ \n][^ \n]*\\." suites "${listed}")
+foreach(suite IN LISTS suites)
+  string(STRIP "${suite}" suite)
+  string(REGEX REPLACE "\\.$" "" suite "${suite}")
+  if(suite MATCHES "FullSize")
+    continue()
+  endif()
+  add_test("${prefix}.${suite}" ${program} "--gtest_filter=${suite}.*-*FullSize*" --gtest_brief=1)
+  set_tests_properties("${prefix}.${suite}" PROPERTIES TIMEOUT ${timeout_s})
+endforeach()
