@@ -7,18 +7,13 @@
 
 #include <atomic>
 
+#include "tests/support/sanitized.h"
+
 namespace stanok {
 namespace {
 
 // Sanitized threads stay what they are (base/idle_thread.cc).
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int idle_class = SCHED_OTHER;
-#elif defined(__has_feature)
-constexpr int idle_class =
-    __has_feature(thread_sanitizer) || __has_feature(address_sanitizer) ? SCHED_OTHER : SCHED_IDLE;
-#else
-constexpr int idle_class = SCHED_IDLE;
-#endif
+constexpr int idle_class = testing::is_sanitized ? SCHED_OTHER : SCHED_IDLE;
 
 int own_class() {
   int policy = -1;

@@ -8,6 +8,7 @@
 #include "channels/machine/machine.h"
 #include "tests/support/machine/machine_bench.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::channels {
 namespace {
@@ -270,7 +271,7 @@ std::string random_program(std::mt19937& random, int own, int count) {
 TEST_F(MarksTest, RandomProgramsEndOrReportWhyAndNeverHang) {
   constexpr int channels = 8;
   int deadlocks = 0;
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= stanok::testing::cases(12U); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto record = [&] {
       std::mt19937 random(seed);

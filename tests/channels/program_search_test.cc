@@ -9,6 +9,7 @@
 #include "channels/machine/machine.h"
 #include "lang/run/block_search.h"
 #include "tests/support/machine/machine_bench.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::channels {
 namespace {
@@ -295,7 +296,7 @@ class RandomProgram {
 };
 
 TEST(ProgramSearchProperties, FromAnyLineTheProgramGoesWhereItWouldGo) {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= stanok::testing::cases(12U); ++seed) {
     const RandomProgram program(seed);
     // The last place at each line.
     const auto trace = [&](int from) {

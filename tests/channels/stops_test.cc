@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/support/machine/machine_bench.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::channels {
 namespace {
@@ -144,7 +145,8 @@ void recover(MachineBench& bench) {
 // 1,000 runs, some of them on the same machine one after the other.
 TEST(Stops, SlowDownAtOnceAndStartNothing) {
   constexpr int runs_of_a_machine = 25;
-  for (unsigned seed = 1; seed <= 40 && !::testing::Test::HasFailure(); ++seed) {
+  for (unsigned seed = 1; seed <= stanok::testing::cases(40U) && !::testing::Test::HasFailure();
+       ++seed) {
     RandomRun random(seed);
     MachineBench bench;
     for (int n = 0; n < runs_of_a_machine && !::testing::Test::HasFailure(); ++n) {

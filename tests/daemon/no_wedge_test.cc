@@ -8,13 +8,14 @@
 #include "tests/daemon/live_daemon.h"
 #include "tests/daemon/random_commands.h"
 #include "tests/daemon/setpoint_watch.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::daemon {
 namespace {
 
 using nlohmann::json;
 
-constexpr int commands = 10'000;
+constexpr int commands = testing::cases(10'000);
 constexpr int client_count = 3;
 
 class NoWedge : public ::testing::TestWithParam<int> {};

@@ -22,7 +22,7 @@ for signal in HUP USR1 USR2 QUIT; do
     sleep 0.05
   done
   switch_on
-  for ((k = 0; k < 100; ++k)); do # each is a line of the log
+  for ((k = 0; k < 25; ++k)); do # each is a line of the log
     "${operate[@]}" override feed 100 >/dev/null
   done &
   talk=$!

@@ -11,6 +11,7 @@
 
 #include "protocol/frame_reader.h"
 #include "tests/daemon/live_daemon.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::daemon {
 namespace {
@@ -26,14 +27,7 @@ void allow_descriptors(rlim_t wanted) {
 }
 
 // Sanitizers keep what was freed for a while, and shadows of all of it.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool memory_is_that_of_the_daemon = false;
-#elif defined(__has_feature)
-constexpr bool memory_is_that_of_the_daemon =
-    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
-#else
-constexpr bool memory_is_that_of_the_daemon = true;
-#endif
+constexpr bool memory_is_that_of_the_daemon = !testing::is_sanitized;
 
 std::size_t resident_bytes() {
   std::size_t all = 0;

@@ -5,6 +5,7 @@
 #include "tests/motion/path_samples.h"
 #include "tests/support/cycle.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -128,7 +129,7 @@ TEST(FeedInterruption, OffTheFeedGoesOnWithoutARest) {
 // On any path, whatever the operator does with the override: rests lie L_B of feed path apart, the
 // limits hold, the end is exact and nothing wedges.
 TEST(FeedInterruption, LimitsAndPlacesHoldOnRandomPaths) {
-  for (unsigned seed = 1; seed <= 60; ++seed) {
+  for (unsigned seed = 1; seed <= stanok::testing::cases(60U); ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);

@@ -10,6 +10,7 @@
 
 #include "tests/motion/path_samples.h"
 #include "tests/motion/random_programs.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -306,7 +307,7 @@ TEST(OperatorRunsOverChunks, KeepLimitsAndPathAndRestWhereTheyAreAborted) {
   const auto machine = scene.machine();
   Places places;
   SetpointDigest digest;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= stanok::testing::cases(4U); ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     run_seed(scene, *machine, seed, places, digest);
   }

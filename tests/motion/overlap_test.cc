@@ -8,6 +8,7 @@
 #include "tests/motion/path_samples.h"
 #include "tests/support/cycle.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -353,7 +354,7 @@ class RandomOverlaps : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomOverlaps, KeepLimitsToleranceAndEndAndSaveTime) {
   int overlaps = 0;
-  for (unsigned seed = GetParam(); seed < GetParam() + 50; ++seed) {
+  for (unsigned seed = GetParam(); seed < GetParam() + stanok::testing::cases(50U); ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     const PolylineOnMachine machine = random_machine(seed);
     const Built built = build(machine.line, machine.config);
@@ -375,7 +376,7 @@ TEST_P(RandomOverlaps, KeepLimitsToleranceAndEndAndSaveTime) {
     // The choice is made by an estimate from the two legs.
     EXPECT_LE(static_cast<double>(samples.size()), 1.01 * static_cast<double>(stopped.size()));
   }
-  EXPECT_GT(overlaps, 100);
+  EXPECT_GT(overlaps, stanok::testing::cases(100));
 }
 
 FeedControl random_control(std::mt19937_64& random, const FeedControl& now) {
@@ -389,7 +390,7 @@ FeedControl random_control(std::mt19937_64& random, const FeedControl& now) {
 }
 
 TEST_P(RandomOverlaps, KeepLimitsToleranceAndEndWhateverTheOperatorDoes) {
-  for (unsigned seed = GetParam(); seed < GetParam() + 25; ++seed) {
+  for (unsigned seed = GetParam(); seed < GetParam() + stanok::testing::cases(25U); ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     const PolylineOnMachine machine = random_machine(seed);
     std::mt19937_64 random(seed);

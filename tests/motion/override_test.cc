@@ -5,6 +5,7 @@
 #include "tests/motion/path_samples.h"
 #include "tests/support/cycle.h"
 #include "tests/support/no_allocation.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -140,7 +141,7 @@ TEST(Override, SegmentLimitsHoldAboveOneHundredPercent) {
 // Lines with limits of their own, which differ little: the brake at the end of the path, which is
 // made softer to end there exactly, may begin while the motion speeds up still.
 TEST(Override, SpeedsHoldWhereABrakeIsMadeToEndAtTheEndOfThePath) {
-  for (unsigned seed = 1; seed <= 2000; ++seed) {
+  for (unsigned seed = 1; seed <= stanok::testing::cases(2000U); ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -174,7 +175,7 @@ TEST(Override, SpeedsHoldWhereABrakeIsMadeToEndAtTheEndOfThePath) {
 // Blends of some tens of nm between lines: a cycle passes several segments, the limits of each hold
 // at its setpoints.
 TEST(Override, SegmentLimitsHoldWhereACyclePassesSeveralSegments) {
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  for (unsigned seed = 1; seed <= stanok::testing::cases(200U); ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);

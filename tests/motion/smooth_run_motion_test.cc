@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/motion/path_samples.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -75,7 +76,7 @@ void expect_kept(const std::vector<Sample>& samples, const std::vector<PathBlock
 
 TEST(SmoothRunMotion, KeepsLimitsAndToleranceAtTheFeed) {
   const MotionConfig config = three_axes(channel_limits);
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= stanok::testing::cases(20U); ++seed) {
     SCOPED_TRACE(seed);
     Draw draw(seed);
     const double tolerance = std::pow(10.0, draw.between(-3.7, -1.5));
@@ -86,7 +87,7 @@ TEST(SmoothRunMotion, KeepsLimitsAndToleranceAtTheFeed) {
 
 TEST(SmoothRunMotion, KeepsThemUnderHoldResumeAndOverride) {
   const MotionConfig config = three_axes(channel_limits);
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= stanok::testing::cases(40U); ++seed) {
     SCOPED_TRACE(seed);
     Draw draw(1000 + seed);
     const double tolerance = std::pow(10.0, draw.between(-3.7, -1.5));

@@ -10,6 +10,7 @@
 #include "process/grinding/cycle_design.h"
 #include "process/grinding/place_search.h"
 #include "tests/process/petrakov.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::process {
 namespace {
@@ -145,7 +146,7 @@ TEST(Staircase, IsWrittenWithTwoDigitsOfTheLastFeedAtLeast) {
 TEST(Staircase, NeverCrossesTheBoundaryForRandomProcesses) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> of_one(0.0, 1.0);
-  for (int trial = 0; trial < 12; ++trial) {
+  for (int trial = 0; trial < stanok::testing::cases(12); ++trial) {
     GrindingProcess process = petrakov::sheet();
     process.stiffness_n_per_m = 25e6 * (0.8 + 1.5 * of_one(random));
     process.part_speed_rpm = 80.0 + 160.0 * of_one(random);

@@ -5,19 +5,13 @@
 #include <cstdlib>
 
 #include "tests/support/chain/chain_run.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::testing {
 namespace {
 
 // Of each machine; a thousand in all, but with sanitizers.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool is_sanitized = true;
-#elif defined(__has_feature)
-constexpr bool is_sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool is_sanitized = false;
-#endif
-constexpr std::uint64_t programs = is_sanitized ? 40 : 334;
+constexpr std::uint64_t programs = cases(334U);
 
 // STANOK_CHAIN_PROGRAMS and STANOK_CHAIN_SEED make longer and other runs of the same test.
 std::uint64_t from_environment(const char* variable, std::uint64_t value) {

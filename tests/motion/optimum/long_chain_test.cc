@@ -6,6 +6,7 @@
 
 #include "tests/motion/path_samples.h"
 #include "tests/motion/random_programs.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -34,7 +35,7 @@ std::vector<PathBlock> long_waves(Random& random, int count) {
 TEST(LongChain, KeepsLimitsUnderOverridesWhereItsPartsMeet) {
   const MotionConfig config = three_axes(channel_limits);
   double used = 0.0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= stanok::testing::cases(20U); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     PathBuilder builder(config);

@@ -7,6 +7,7 @@
 
 #include "tests/motion/path_samples.h"
 #include "tests/motion/random_programs.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -80,7 +81,7 @@ void expect_no_slower_for_a_higher_feed(std::uint64_t first, std::uint64_t last)
 }
 
 TEST(TimeOptimum, AHigherFeedIsNotSlower) {
-  expect_no_slower_for_a_higher_feed(1, 20);
+  expect_no_slower_for_a_higher_feed(1, stanok::testing::cases(20U));
 }
 
 TEST(TimeOptimum, AHigherFeedIsNotSlowerFullSize) {
@@ -116,7 +117,7 @@ TEST(TimeOptimum, LegsThatHardlyOverlapAreNotSlowerForAHigherFeed) {
 
 TEST(TimeOptimum, AHigherOverrideIsNotSlower) {
   const MotionConfig config = three_axes(channel_limits);
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= stanok::testing::cases(20U); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Program program = winding_way(random, {}, {.blocks = 150});
@@ -140,7 +141,7 @@ TEST(TimeOptimum, AHigherOverrideIsNotSlower) {
 // the highest speed stops in 0.15 s.
 TEST(TimeOptimum, AHoldComesToRestSoon) {
   const MotionConfig config = three_axes(channel_limits);
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= stanok::testing::cases(20U); ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Program program = winding_way(random, {}, {.blocks = 150});

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "tests/motion/threads/thread_bench.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::motion::testing {
 namespace {
@@ -408,7 +409,7 @@ TEST(SynchronousRun, AShortThreadEndsAtItsEnd) {
 TEST(SynchronousRun, RandomChainsKeepTheLimits) {
   int over = 0;
   int lost = 0;
-  for (unsigned seed = 1; seed <= 150; ++seed) {
+  for (unsigned seed = 1; seed <= stanok::testing::cases(150U); ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -447,7 +448,7 @@ TEST(SynchronousRun, RandomChainsKeepTheLimits) {
     EXPECT_EQ(bench.output().axes[X].value, end[X]);
     EXPECT_EQ(bench.output().axes[Z].value, end[Z]);
   }
-  EXPECT_GT(over, 80);
+  EXPECT_GT(over, stanok::testing::cases(80));
   EXPECT_GT(lost, 3);
 }
 

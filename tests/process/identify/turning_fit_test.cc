@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/sanitized.h"
+
 namespace stanok::process {
 namespace {
 
@@ -93,7 +95,7 @@ TEST(TurningFit, ItsIntervalsHoldTheHiddenValues) {
   int inside = 0;
   int all = 0;
   double worst_exponent = 0.0;
-  for (int plant = 0; plant < 20; ++plant) {
+  for (int plant = 0; plant < stanok::testing::cases(20); ++plant) {
     const HiddenLathe lathe = hidden(random);
     const auto fit = fit_turning(recorded(lathe, random));
     ASSERT_TRUE(fit.has_value()) << fit.error();
