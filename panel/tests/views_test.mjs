@@ -517,7 +517,10 @@ describe('path', () => {
   }
 
   test(`${points} planned points come by pages, a press tells the line`, async (context) => {
-    const frames = pages(7);
+    await stage.client.call('program.load', { program: 'helix.nc' });
+    // The page waits for the path whose number the status has.
+    const path = await until('a path', async () => (await stage.status()).planned_path);
+    const frames = pages(path);
     const planned = async (page) => {
       await page.routeWebSocket(/\/ws$/, (socket) => {
         const server = socket.connectToServer();
@@ -525,15 +528,14 @@ describe('path', () => {
           const { id, method, params } = JSON.parse(text);
           if (method !== 'program.path') return server.send(text);
           const { page } = params;
-          const geometry = page < 4 ? { id: 7, page, rapid: [[0, 100]], begins: [] } : null;
+          const geometry = page < 4 ? { id: path, page, rapid: [[0, 100]], begins: [] } : null;
           if (page < 4) socket.send(frames[page]);
-          const result = { id: 7, pages: 4, points, complete: true, geometry };
+          const result = { id: path, pages: 4, points, complete: true, given_up: null, part: null, geometry };
           socket.send(JSON.stringify({ jsonrpc: '2.0', id, result }));
         });
         server.onMessage((text) => socket.send(text));
       });
     };
-    await stage.client.call('program.load', { program: 'helix.nc' });
     const page = await stage.openMachine({ before: planned });
     await show(page, 'path');
     await page.locator(`canvas[data-points="${points}"]`).waitFor();
