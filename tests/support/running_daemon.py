@@ -10,6 +10,7 @@ import contextlib
 import json
 import os
 import resource
+import shutil
 import socket
 import subprocess
 import tempfile
@@ -74,6 +75,25 @@ def wait_for_socket(process, path):
             time.sleep(0.05)
 
 
+def patient_machine(machine_file, folder):
+    """A copy of the machine file, with what belongs to it, that waits 30 s for its drives: those inside a daemon wait
+    longer than the drives of a machine where the computer runs other tests beside. As patient_machine.sh."""
+    machine = os.path.join(folder, "machine")
+    os.mkdir(machine)
+    belongings = machine_file.removesuffix(".toml")
+    if os.path.isdir(belongings):
+        shutil.copytree(belongings, os.path.join(machine, os.path.basename(belongings)))
+    with open(machine_file, encoding="utf-8") as file:
+        lines = [line for line in file.read().splitlines() if not line.startswith("timeout_ms = ")]
+    if "[drives]" not in lines:
+        lines += ["[drives]", 'bus = "modbus-tcp"']
+    lines.insert(lines.index("[drives]") + 1, "timeout_ms = 30000")
+    copy = os.path.join(machine, os.path.basename(machine_file))
+    with open(copy, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+    return copy
+
+
 @contextlib.contextmanager
 def running_daemon(stanokd, machine_file, program, error=subprocess.DEVNULL, options=()):
     """`error`: where the log of the daemon goes."""
@@ -81,6 +101,7 @@ def running_daemon(stanokd, machine_file, program, error=subprocess.DEVNULL, opt
         path = os.path.join(folder, "op.sock")
         with open(os.path.join(folder, "part.nc"), "w", encoding="utf-8") as part:
             part.write(program)
+        machine_file = patient_machine(machine_file, folder)
         process = subprocess.Popen([stanokd, "--machine", machine_file, "--drives", "embedded", "--lcm", "off",
                                     "--state", os.path.join(folder, "state"), "--socket", path,
                                     "--program-root", folder, *options], stderr=error)
