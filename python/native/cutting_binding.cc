@@ -13,6 +13,7 @@
 
 #include "client/offline/process/identify/grind_fit_report.h"
 #include "client/offline/process/identify/identify_report.h"
+#include "client/offline/process/identify/milling_fit_report.h"
 #include "client/offline/process/lobes_report.h"
 #include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
@@ -80,6 +81,36 @@ std::string text_of_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// The report, the rows, and the file of tool and material with the figures that were found.
+py::tuple identify_milling(const std::filesystem::path& file, const std::filesystem::path& cut_file,
+                           int channel, int spindle, int tool, double efficiency) {
+  const runtime::MillingLogRequest request{.channel = channel,
+                                           .spindle = spindle - 1,
+                                           .cut = config::read_chatter_file(cut_file),
+                                           .tool = tool};
+  if (request.cut.kind != process::CutKind::milling)
+    throw std::invalid_argument(cut_file.string() +
+                                " is not of a milling cut; write kind = \"milling\"");
+  runtime::MillingLog log;
+  process::MillingFit fit;
+  {
+    const py::gil_scoped_release others_run;
+    log = runtime::read_milling_log(file, request);
+    fit = fit_or_throw(process::fit_milling(log.record));
+  }
+  using process::MillingRow;
+  py::dict arrays;
+  arrays["time_s"] = array_of_values(log.time_s);
+  arrays["rev_per_min"] = column_of(log.record.rows, &MillingRow::rev_per_min);
+  arrays["removal_mm3_per_s"] = column_of(log.record.rows, &MillingRow::removal_mm3_per_s);
+  arrays["rubbing_mm2_per_s"] = column_of(log.record.rows, &MillingRow::rubbing_mm2_per_s);
+  arrays["power_w"] = column_of(log.record.rows, &MillingRow::power_w);
+  arrays["fitted_w"] = array_of_values(fit.fitted_w);
+  const client::MillingFitReport report{.log = log, .fit = fit, .efficiency = efficiency};
+  return py::make_tuple(py::str(protocol::json_text(client::to_json(report))), arrays,
+                        py::str(client::with_figures(text_of_file(cut_file), report)));
+}
+
 // The report, the rows, and the process file with the figures that were found.
 py::tuple identify_grinding(const std::filesystem::path& file,
                             const std::filesystem::path& process_file, int channel, int spindle,
@@ -136,6 +167,8 @@ py::tuple lobes(const std::filesystem::path& file, const std::pair<double, doubl
 void bind_cutting(py::module_& module) {
   module.def("identify_turning", &identify_turning, py::arg("log"), py::arg("stock"),
              py::arg("channel"), py::arg("spindle"), py::arg("coefficient_n"));
+  module.def("identify_milling", &identify_milling, py::arg("log"), py::arg("cut"),
+             py::arg("channel"), py::arg("spindle"), py::arg("tool"), py::arg("efficiency"));
   module.def("identify_grinding", &identify_grinding, py::arg("log"), py::arg("process"),
              py::arg("channel"), py::arg("spindle"), py::arg("touch_mm"),
              py::arg("watts_per_newton"));

@@ -17,7 +17,8 @@ import numpy.typing as npt
 from . import _native
 from .programs import PathLike
 
-__all__ = ["Estimate", "GrindingCut", "Lobes", "TurningCut", "identify_grinding", "identify_turning", "lobes"]
+__all__ = ["Estimate", "GrindingCut", "Lobes", "MillingCut", "TurningCut", "identify_grinding", "identify_milling",
+           "identify_turning", "lobes"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -56,6 +57,31 @@ class TurningCut:
 
     def estimate(self, name: str) -> Estimate:
         """A figure of the report with its interval, as ``estimate("coefficient_over_efficiency_n")``."""
+        return _estimate(self.report, name)
+
+
+@dataclass(frozen=True)
+class MillingCut:
+    """A milling cut, a row for each cycle, and what it tells; see :class:`TurningCut`."""
+
+    report: dict[str, Any]
+    cut_text: str
+    """The file of tool and material with the figures that were found."""
+    time_s: Floats
+    """s, from the begin of the log on."""
+    rev_per_min: Floats
+    """rev/min of the spindle."""
+    removal_mm3_per_s: Floats
+    """mm³/s that the tool takes from the virtual workpiece."""
+    rubbing_mm2_per_s: Floats
+    """mm²/s over which edges rub: their length in the cut times the cutting speed."""
+    power_w: Floats
+    """W, as the sensor showed it at the end of the cycle; ``nan`` where it showed nothing new."""
+    fitted_w: Floats
+    """W, what the model says with the figures that were found."""
+
+    def estimate(self, name: str) -> Estimate:
+        """A figure of the report with its interval, as ``estimate("force_n_per_mm2")``."""
         return _estimate(self.report, name)
 
 
@@ -150,6 +176,40 @@ def identify_turning(
     pairs = [(float(z), float(radius)) for z, radius in stock]
     text, arrays = _native.identify_turning(os.fspath(log), pairs, channel, spindle, coefficient_n)
     return TurningCut(report=json.loads(text), **arrays)
+
+
+def identify_milling(
+    log: PathLike,
+    cut: PathLike,
+    *,
+    channel: int = 1,
+    spindle: int = 1,
+    tool: int | None = None,
+    efficiency: float = 1.0,
+) -> MillingCut:
+    """Idle power, forces of material and edge, and lag of the sensor, from the log of a milling program.
+
+    The program has a workpiece (``#workpiece``), which the log cuts once more: it tells what the tool met.
+
+    Args:
+        log: the log, with the power of the spindle.
+        cut: tool and material (TOML, as of :func:`lobes`); its teeth and helix count, its forces are not looked at.
+        channel: of the cut.
+        spindle: of the machine, from 1 on.
+        tool: whose cuts are looked at; ``None``: all.
+        efficiency: of the drive, 0.1 to 1, where it is known; else the forces are those over the efficiency.
+
+    Raises:
+        RuntimeError: what the log lacks.
+        MachineFileError: faults of the file of tool and material.
+    """
+    if not 0.1 <= efficiency <= 1.0:
+        raise ValueError(f"efficiency is {efficiency}; give 0.1 to 1")
+    if tool is not None and tool < 1:
+        raise ValueError(f"tool is {tool}; give the number of a tool, or None for all")
+    text, arrays, cut_text = _native.identify_milling(os.fspath(log), os.fspath(cut), channel, spindle, tool or 0,
+                                                      efficiency)
+    return MillingCut(report=json.loads(text), cut_text=cut_text, **arrays)
 
 
 def identify_grinding(

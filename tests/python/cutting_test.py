@@ -36,6 +36,61 @@ class Turning(InFolder):
         self.assertLess(float(np.abs(np.median(residual))), 1.0)
 
 
+# Tool 3: end mill of 6 mm with three teeth. Slots with two feeds, then 3 mm of width, at two speeds; the walls of the
+# blank stand in X at 0 and 60.
+SLOTS = ("G21 G90 G17 G40 G49 G80 G54 G94 G64\n#workpiece (0, 0.15, 0, 60, 40, 10, 0, 0, 10)\nT3 M6\nS6000 M3\n"
+         "G0 X-6 Y10\nG43 H3 Z50\nG0 Z-2\nG1 X66 F600\nG0 Z2\nG0 X-6 Y13\nG0 Z-2\nG1 X66 F1500\nG0 Z2\n"
+         "G0 X-6 Y22\nS4000 M3\nG4 P1\nG0 Z-2\nG1 X66 F400\nG0 Z2\nG0 X-6 Y25\nG0 Z-2\nG1 X66 F1200\nG0 Z50\n"
+         "G49 M5\nM30\n")
+QUARTERS = {8: 2, 12: 1, 18: 2, 22: 1}  # of the tool that meet the material, by line
+SLOWER_FROM = 15
+
+
+class Milling(InFolder):
+    FORCE, EDGE, LAG_S = 1150.0, 14.0, 0.03  # N/mm2, N/mm
+
+    def power(self, run):
+        """W of each cycle, by formulas: volume and rubbing edges of quarters of the tool between two walls."""
+        line, x = run["line"], run["tip_position"][:, 0]
+        n = np.where(line < SLOWER_FROM, 6000.0, 4000.0)
+        feed = np.abs(np.diff(x, prepend=x[0])) / 1e-3
+        radius, length, depth = 3.0, 60.0, 2.0
+        to = np.where(x < 0.0, np.arccos(np.clip(-x / radius, 0.0, 1.0)), np.pi / 2)
+        begin = np.arccos(np.clip((length - x) / radius, 0.0, 1.0))
+        quarters = sum(count * (line == number) for number, count in QUARTERS.items())
+        quarters = np.where((x > -radius) & (x < length), quarters, 0)
+        volume = quarters * radius * (np.sin(to) - np.sin(begin)) * depth * feed
+        rubbing = 3 * depth * quarters * (to - begin) * radius * n / 60.0
+        wanted = 1e-3 * (self.FORCE * volume + self.EDGE * rubbing)
+        shown, follows = np.zeros(len(wanted)), 1.0 - np.exp(-1e-3 / self.LAG_S)
+        for k in range(1, len(wanted)):
+            shown[k] = shown[k - 1] + (wanted[k] - shown[k - 1]) * follows
+        return n * (0.05 + 4e-6 * n) + shown
+
+    def test_figures_are_those_of_the_command_and_of_the_cut(self):
+        mill, cut_file, log = MACHINES / "e7106mf4.toml", EXAMPLES / "slot_lobes.toml", self.folder / "slots.lcm"
+        program = self.write("slots.nc", SLOTS)
+        run = stanok.simulate(mill, program, columns=("time_s", "line", "tip_position"))[1]
+        power = self.power(run)
+        rows = "".join(f"{run['time_s'][k]:.3f},{power[k]:.1f}\n" for k in range(0, len(power), 10))
+        stanok.simulate(mill, program, sensors=self.write("power.csv", "t,power_w\n" + rows), log=log)
+        text = command("process", "identify", log, "--cut", cut_file, "--efficiency", 0.8, "--out", self.folder / "out.toml",
+                       "--json")
+        cut = cutting.identify_milling(log, cut_file, efficiency=0.8)
+        self.assertEqual(cut.report, json.loads(text))
+        self.assertEqual(cut.cut_text, (self.folder / "out.toml").read_text(encoding="utf-8"))
+        # The virtual workpiece knows the cut to about a hundredth.
+        self.assertAlmostEqual(cut.estimate("force_n_per_mm2").value / (0.8 * self.FORCE), 1.0, delta=0.05)
+        self.assertAlmostEqual(cut.estimate("edge_force_n_per_mm").value / (0.8 * self.EDGE), 1.0, delta=0.1)
+        # A slot of 6 x 2 mm at 10 mm/s.
+        self.assertAlmostEqual(float(np.median(cut.removal_mm3_per_s[run["line"][:len(cut.time_s)] == 8])), 120.0, delta=3.0)
+        self.assertEqual({len(getattr(cut, name)) for name in ("time_s", "rev_per_min", "rubbing_mm2_per_s", "power_w",
+                                                               "fitted_w")}, {len(cut.removal_mm3_per_s)})
+        # No other tool cuts.
+        with self.assertRaises(RuntimeError):
+            cutting.identify_milling(log, cut_file, tool=4)
+
+
 class Grinding(InFolder):
     def test_what_a_log_lacks_is_told_as_by_the_command(self):
         log = self.folder / "cycle.lcm"
@@ -70,6 +125,11 @@ class Faults(InFolder):
         for stock in ([], [(0.0, -1.0)], [(0.0, 1.0), (0.0, 1.0)], [(0.0,)], "stock", None):
             with self.subTest(str(stock)), self.assertRaises((ValueError, TypeError)):
                 cutting.identify_turning(self.folder / "none.lcm", stock)
+        for arguments in (dict(efficiency=0.0), dict(efficiency=float("nan")), dict(tool=0), dict(tool=-1)):
+            with self.assertRaises(ValueError):
+                cutting.identify_milling("none.lcm", EXAMPLES / "slot_lobes.toml", **arguments)
+        with self.assertRaises(ValueError):
+            cutting.identify_milling("none.lcm", EXAMPLES / "grinding_lobes.toml")
         for arguments in (dict(force_ratio=0.0), dict(efficiency=2.0), dict(wheel_speed_m_per_s=float("nan"))):
             with self.assertRaises(ValueError):
                 cutting.identify_grinding("none.lcm", "none.toml", **arguments)
