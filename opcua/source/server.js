@@ -1,5 +1,6 @@
 // Server: endpoints, certificates, users and bounds of OPC UA, and the machines behind them.
 import { mkdirSync } from 'node:fs';
+import { hostname } from 'node:os';
 import { join } from 'node:path';
 import {
   MessageSecurityMode,
@@ -110,7 +111,11 @@ async function server_of(options, version) {
     serverCapabilities: capabilities_of(options),
     maxConnectionsPerEndpoint: options.sessions + 5,
     registerServerMethod: RegisterServerMethod.HIDDEN,
-    serverInfo: { applicationUri: 'urn:stanok:opcua', applicationName: { text: 'stanok' } },
+    // No other server in the world has it (OPC 10000-4, ApplicationDescription).
+    serverInfo: {
+      applicationUri: `urn:${hostname()}:stanok:opcua`,
+      applicationName: { text: 'stanok' },
+    },
     buildInfo: {
       productName: 'stanok-opcua',
       softwareVersion: version,

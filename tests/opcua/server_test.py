@@ -8,6 +8,7 @@ exit code 77: node or the packages of npm are not to be had
 import contextlib
 import json
 import os
+import socket
 import subprocess
 import sys
 import tempfile
@@ -16,7 +17,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 from companion_types import CompanionTypes  # noqa: E402
-from running_daemon import Operator, Refused as DaemonRefused, wait_for_socket  # noqa: E402
+from running_daemon import Operator, Refused as DaemonRefused, patient_machine, wait_for_socket  # noqa: E402
 from running_opcua import Client, Missing, Refused, packages, running_opcua  # noqa: E402
 
 STANOKD, MACHINE, OPCUA = (sys.argv.pop(1) for _ in range(3))
@@ -39,6 +40,7 @@ class Machine:
 
     def __init__(self, folder):
         self.folder, self.socket = folder, os.path.join(folder, "op.sock")
+        self.machine_file = patient_machine(MACHINE, folder)
         for name, text in (("long.nc", PROGRAM), ("short.nc", SHORT), ("wrong.nc", WRONG)):
             with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
                 file.write(text)
@@ -46,7 +48,7 @@ class Machine:
 
     def start(self):
         self.process = subprocess.Popen(
-            [STANOKD, "--machine", MACHINE, "--drives", "embedded", "--lcm", "off", "--state",
+            [STANOKD, "--machine", self.machine_file, "--drives", "embedded", "--lcm", "off", "--state",
              os.path.join(self.folder, "state"), "--socket", self.socket, "--program-root", self.folder],
             stderr=subprocess.DEVNULL)
         wait_for_socket(self.process, self.socket)
@@ -308,6 +310,18 @@ class TheServer(unittest.TestCase):
         machine.start()
         back = self.until(client, statuses("Good"), "back")
         self.assertGreater(self.assert_mandatory_nodes(back), MANDATORY_MIN)
+
+    def test_two_computers_have_two_applications(self):
+        client = self.client(self.server())
+        name = f"urn:{socket.gethostname()}:stanok:opcua"
+        self.assertEqual(client.ask(tree="i=2253")["ServerArray"]["value"], [name])
+        own = os.path.join(self.folder, "opcua", "pki", "own", "certs")
+        files = [name for name in os.listdir(own) if name.endswith(".pem")]
+        self.assertTrue(files)
+        for file in files:
+            text = subprocess.run(["openssl", "x509", "-in", os.path.join(own, file), "-noout", "-ext", "subjectAltName"],
+                                  capture_output=True, text=True, check=True).stdout
+            self.assertIn(f"URI:{name},", text.replace("\n", ",").replace(" ", ""))
 
     def test_users_and_certificates(self):
         users = os.path.join(self.folder, "users")
