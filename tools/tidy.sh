@@ -2,20 +2,22 @@
 # Runs clang-tidy 22 over the sources with the checks of .clang-tidy; fails when one of them has findings.
 #
 # What was clean once is not looked at again: beside the compiler cache lies an empty file for each clean source, named by
-# a digest of its preprocessed text (with comments and macros, since NOLINT and names of macros count), of both .clang-tidy
+# a digest of its preprocessed text (with comments and macros, since NOLINT and names of macros count), of every .clang-tidy
 # and of the tool's version. Usage: tools/tidy.sh [FILE...]   (default: every tracked .cc file that is compiled)
 set -euo pipefail
 # shellcheck source=tools/environment.sh
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
 readonly database=build/tidy
-export database clean="$CCACHE_DIR/clean-for-tidy"
+checks=$(tracked_files '*.clang-tidy' | xargs cat)
+readonly checks
+export database checks clean="$CCACHE_DIR/clean-for-tidy"
 mkdir -p "$clean"
 find "$clean" -type f -mtime +60 -delete
 
 # digest COMMAND: of all that clang-tidy sees of a source.
 digest() {
-  { eval "$1 -E -C -dD -o -" && cat .clang-tidy tests/.clang-tidy && clang-tidy-22 --version; } |
+  { eval "$1 -E -C -dD -o -" && echo "$checks" && clang-tidy-22 --version; } |
     sed "s|$stanok_root/||g" | sha256sum | cut -d ' ' -f 1
 }
 

@@ -165,7 +165,7 @@ asio::awaitable<std::string> MachineReader::version_of(std::string program) {
     json part{{"program", program}, {"offset", behind_the_end}};
     text = co_await ask("program.read", std::move(part));
   } catch (const std::runtime_error&) {
-    // Removed meanwhile, or a line of manual input.
+    text = json();  // removed meanwhile, or a line of manual input
   }
   co_return text.is_object() ? text.value("version", "") : "";
 }
