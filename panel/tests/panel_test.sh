@@ -67,7 +67,8 @@ unit() {
 browser() {
   needs_packages
   [[ -x /usr/bin/chromium ]] || skip "Chromium is not here (package chromium)"
-  node --test "tests/$1_test.mjs"
+  # This reporter tells once more at the end what failed.
+  node --test --test-reporter=spec "tests/$1_test.mjs"
 }
 
 case "$part" in

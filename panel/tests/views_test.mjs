@@ -530,7 +530,15 @@ describe('path', () => {
           const { page } = params;
           const geometry = page < 4 ? { id: path, page, rapid: [[0, 100]], begins: [] } : null;
           if (page < 4) socket.send(frames[page]);
-          const result = { id: path, pages: 4, points, complete: true, given_up: null, part: null, geometry };
+          const result = {
+            id: path,
+            pages: 4,
+            points,
+            complete: true,
+            given_up: null,
+            part: null,
+            geometry,
+          };
           socket.send(JSON.stringify({ jsonrpc: '2.0', id, result }));
         });
         server.onMessage((text) => socket.send(text));
