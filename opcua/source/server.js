@@ -2,6 +2,7 @@
 import { mkdirSync } from 'node:fs';
 import { hostname } from 'node:os';
 import { join } from 'node:path';
+import './web_crypto.js';
 import {
   MessageSecurityMode,
   OPCUACertificateManager,

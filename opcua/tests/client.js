@@ -4,6 +4,7 @@
 // commands: {"tree": NODE} {"write": NODE} {"call": [OBJECT, METHOD, TYPE]} {"listen": NODE} {"events": 0}
 // {"refresh": 0} {"endpoints": 0}. The first line printed is {"ok": true} or {"error": TEXT}.
 import { createInterface } from 'node:readline';
+import '../source/web_crypto.js';
 import {
   AttributeIds,
   DataType,

@@ -17,6 +17,16 @@ class Missing(Exception):
     """What is missing to run the server here."""
 
 
+def _no_newer_than_debian():
+    """Node 18 of Debian 12 cannot `require` a module of ECMAScript and has no global Web Crypto API; a newer Node is told
+    to be without them, too, for all that follows."""
+    options = []
+    for option in ("--no-experimental-require-module", "--no-experimental-global-webcrypto"):
+        if subprocess.run(["node", option, "--eval", "0"], capture_output=True).returncode == 0:
+            options.append(option)
+    os.environ["NODE_OPTIONS"] = " ".join(options)
+
+
 def packages(folder):
     """Those of the lock file, unless they are there."""
     node = shutil.which("node")
@@ -25,6 +35,7 @@ def packages(folder):
     version = int(re.match(r"v(\d+)", subprocess.run([node, "--version"], capture_output=True, text=True).stdout)[1])
     if version < 18:
         raise Missing(f"node {version} is older than 18")
+    _no_newer_than_debian()
     lock, installed = (os.path.join(folder, name) for name in ("package-lock.json", "node_modules/.lock"))
     if os.path.exists(installed) and filecmp.cmp(lock, installed, shallow=False):
         return
