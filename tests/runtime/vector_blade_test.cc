@@ -15,9 +15,9 @@ namespace {
 
 constexpr int table_and_head = 2;  // scheme of e7106mf4
 
-std::string blade_of_angles() {
+std::string blade_of_angles(programs::Scale scale) {
   programs::WorkloadOptions options;
-  options.scale = programs::Scale::small;
+  options.scale = scale;
   return programs::impeller_blade(options).program.text();
 }
 
@@ -80,8 +80,7 @@ double machine_time_s(const std::string& text) {
   return result.machine_time_s;
 }
 
-TEST(VectorBlade, EndsWhereTheBladeOfAnglesDoes) {
-  const std::string angles = blade_of_angles();
+void expect_equal_ends(const std::string& angles) {
   const auto expected = block_ends(angles);
   const auto ends = block_ends(with_vectors(angles));
   ASSERT_GT(expected.size(), 1000U);
@@ -94,14 +93,26 @@ TEST(VectorBlade, EndsWhereTheBladeOfAnglesDoes) {
     }
   }
   EXPECT_LT(most, 1e-9);
-  RecordProperty("most", std::to_string(most));
 }
 
-TEST(VectorBlade, TakesTheTimeOfTheBladeOfAngles) {
-  const std::string angles = blade_of_angles();
+void expect_equal_time(const std::string& angles) {
   const double expected = machine_time_s(angles);
   EXPECT_NEAR(machine_time_s(with_vectors(angles)) / expected, 1.0, 0.01);
   EXPECT_GT(expected, 10.0);
+}
+
+TEST(VectorBlade, EndsWhereTheBladeOfAnglesDoes) {
+  expect_equal_ends(blade_of_angles(programs::Scale::small));
+}
+
+TEST(VectorBlade, TakesTheTimeOfTheBladeOfAngles) {
+  expect_equal_time(blade_of_angles(programs::Scale::small));
+}
+
+TEST(VectorBlade, OfTheWholeExperimentIsTheBladeOfAnglesFullSize) {
+  const std::string angles = blade_of_angles(programs::Scale::full);
+  expect_equal_ends(angles);
+  expect_equal_time(angles);
 }
 
 }  // namespace
