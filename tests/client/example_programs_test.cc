@@ -1,4 +1,5 @@
-// The example programs of the project run to their end on the machines they are written for.
+// The example programs of the project run to their end on the machines they are written for, and
+// their logs repeat bit for bit.
 //
 // Not here, since they need generated programs: master.nc (./start runs it), master_on_blanks.nc
 // with car_body.nc and blade.nc (tests/peers/workpiece.sh).
@@ -13,6 +14,7 @@
 
 #include "tests/client/stanok_program.h"
 #include "tests/support/project_folders.h"
+#include "tests/support/temporary_directory.h"
 
 namespace stanok::client {
 namespace {
@@ -31,14 +33,21 @@ void PrintTo(const Example& example, std::ostream* stream) {
 
 class ExampleProgram : public ::testing::TestWithParam<Example> {};
 
-TEST_P(ExampleProgram, RunsToItsEndOnItsMachine) {
+void expect_success(const std::string& command) {
+  const int status = std::system((command + " >/dev/null").c_str());
+  ASSERT_TRUE(WIFEXITED(status)) << command;
+  EXPECT_EQ(WEXITSTATUS(status), 0) << command;
+}
+
+TEST_P(ExampleProgram, RunsToItsEndOnItsMachineAndRepeats) {
   const Example& example = GetParam();
   std::string command = stanok_program + " simulate " + example_folder + example.name +
                         ".nc --machine " + root + "/config/machines/" + example.machine + ".toml";
   if (*example.scheme != '\0') command += std::string(" --scheme 1=") + example.scheme;
-  const int status = std::system((command + " >/dev/null").c_str());
-  ASSERT_TRUE(WIFEXITED(status)) << command;
-  EXPECT_EQ(WEXITSTATUS(status), 0) << command;
+  const testing::TemporaryDirectory folder;
+  const std::string log = (folder.path() / "run.lcm").string();
+  expect_success(command + " --log " + log);
+  expect_success(stanok_program + " log verify " + log);
 }
 
 constexpr Example example_programs[] = {
