@@ -25,8 +25,8 @@ second=0
 [[ $second == 1 ]] || fail "a second daemon ended with $second"
 grep -q "pid $daemon" "$folder/second.err" || fail "the second daemon does not name the first"
 
-expect_exit 0 machine on
-expect_exit 0 program run short.nc --wait --json
+switch_on
+run_through short.nc --json
 expect_output '"ok":true' "the short program"
 expect_output '"blocks":' "the short program"
 expect_exit 0 channel status --json
@@ -64,8 +64,8 @@ expect_output '"on":false' "after the emergency stop"
 expect_exit 1 machine on
 expect_exit 0 program reset
 expect_exit 0 program reset --channel 2
-expect_exit 0 machine on
-expect_exit 0 program run short.nc --wait
+switch_on
+run_through short.nc
 
 expect_exit 0 system shutdown
 expect_end 0

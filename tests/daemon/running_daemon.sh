@@ -69,12 +69,12 @@ switch_on() {
   fail "stanok machine on: $(cat "$folder/stanok.err")"
 }
 
-# run_through PROGRAM: to its end. Drives that were starved in the run (see switch_on) fault (A3...), and an
+# run_through PROGRAM [OPTION...]: to its end. Drives that were starved in the run (see switch_on) fault (A3...), and an
 # operator begins again.
 run_through() {
   local k
   for ((k = 0; k < 10; ++k)); do
-    output=$("${operate[@]}" program run "$1" --wait 2>"$folder/stanok.err") && return
+    output=$("${operate[@]}" program run "$@" --wait 2>"$folder/stanok.err") && return
     grep -q A3 "$folder/stanok.err" || break
     "${operate[@]}" program reset >/dev/null || break
     switch_on

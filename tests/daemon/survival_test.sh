@@ -31,9 +31,9 @@ expect_exit 1 program run move.nc # nothing moves until an operator says so
 
 # Where the axes stood is there again: at rest, after a run that moved them.
 switch_on
-expect_exit 0 program run move.nc --wait
+run_through move.nc
 printf 'G28.1\nM30\n' >"$folder/store.nc"
-expect_exit 0 program run store.nc --wait
+run_through store.nc
 expect_exit 0 channel status --json
 [[ $output =~ '"axes":{'([^=]*)'"begins_at"' ]] || fail "no axes in: $output"
 position_of() { grep -o "\"$1\":{[^}]*\"position\":[-0-9.e]*" <<<"$output" | grep -o '[-0-9.e]*$'; }
