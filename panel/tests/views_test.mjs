@@ -155,8 +155,12 @@ describe('states', () => {
       return { ...message, params: { ...message.params, role: 'observer' } };
     };
     const page = await stage.openMachine({ before: through(observer) });
-    await page.getByRole('button', { name: 'On', exact: true }).click({ force: true });
-    await page.getByRole('alert').getByText('Not permitted').waitFor();
+    // Without the waiting of click() for a button that can be pressed, the page may move under it.
+    const refused = page.getByRole('alert').getByText('Not permitted');
+    await until('it is refused', async () => {
+      await page.getByRole('button', { name: 'On', exact: true }).click({ force: true });
+      return refused.isVisible();
+    });
     assert.ok(!sent.includes('machine.on'));
     assert.ok(await page.getByText('Your role may not jog.').isVisible());
     for (const view of views) {
@@ -351,8 +355,15 @@ describe('programs', () => {
   test('a word is explained on hover and offered while it is written', async () => {
     const page = await open('square_and_circle.nc');
     const text = page.getByLabel('Text of the program');
-    await text.getByText('G21').first().hover();
-    await page.locator('.cm-tooltip-hover').getByText('millimetre').waitFor();
+    const explained = page.locator('.cm-tooltip-hover').getByText('millimetre');
+    await until('it is explained', async () => {
+      await page.mouse.move(0, 0); // where the page moved under the mouse
+      await text.getByText('G21').first().hover();
+      return explained.waitFor({ timeout: 5000 }).then(
+        () => true,
+        () => false,
+      );
+    });
     assert.deepEqual(await findings(page), []);
     await text.click();
     await page.keyboard.press('Control+End');
