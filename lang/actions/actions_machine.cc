@@ -94,8 +94,11 @@ void take_tool(ActiveBlock& block, CodeNumber) {
   const ToolWord word = tool_of_word(block, *number);
   const bool known = word.tool == 0 || block.tables.tool(word.tool);
   if (!known) {
-    block.fail("E5021", {'T', -1, {}}, "the tool table has no tool " + std::to_string(word.tool),
-               "unknown tool");
+    block
+        .fail("E5021", {'T', -1, {}}, "the tool table has no tool " + std::to_string(word.tool),
+              "unknown tool")
+        .help.push_back("enter it: `stanok tool set " + std::to_string(word.tool) +
+                        " length 100`, or [[tool]] of the tables file");
     return;
   }
   if (word.tool != 0 && word.edge > 1 && !block.tables.tool_edge(word.tool, word.edge)) {
@@ -103,7 +106,9 @@ void take_tool(ActiveBlock& block, CodeNumber) {
     block
         .fail("E5021", {'T', -1, {}}, "tool " + tool + " has no edge " + std::to_string(word.edge),
               "unknown edge")
-        .help.push_back("the last two digits are the edge: edge 1 is `T" + tool + "01`");
+        .help.push_back(
+            "the last two digits are the edge: edge 1 is `T" + tool +
+            "01`; with t_format = \"tool_offset\" of the machine file they are an offset");
     return;
   }
   if (word.offset > 0 && !block.tables.tool(word.offset)) {

@@ -180,6 +180,7 @@ TEST_F(DiagnosticsTest, CountTheErrorsThatAreNotShown) {
 TEST_F(DiagnosticsTest, KeepTheMotionBeforeTheFaultyBlock) {
   run("G0 X1\nX2\nT9 X3\nX4\nM30\n");
   EXPECT_EQ(error.code, "E5021");
+  EXPECT_THAT(error.help, ElementsAre(HasSubstr("stanok tool set 9 length")));
   EXPECT_EQ(all<Move>().size(), 2u);
   EXPECT_EQ(all<ToolPrepare>().size(), 0u);
   EXPECT_EQ(interpreter->next(commands.front()), Step::failed);
