@@ -1,10 +1,11 @@
-"""A daemon with simulated drives, stanok-opcua before it and a client of node-opcua, for the tests of the server: what the
-nodes of the machine must be, by the specifications and by the protocol.
+"""A daemon with simulated drives, stanok-opcua before it and a client of node-opcua, for the tests of the server: what
+the nodes of the machine must be, by the specifications and by the protocol.
 
 usage of the tests: TEST STANOKD MACHINE_FILE FOLDER_OF_OPCUA [unittest arguments]
 exit code 77: node or the packages of npm are not to be had
 """
 import contextlib
+import functools
 import os
 import subprocess
 import sys
@@ -77,12 +78,18 @@ class Machine:
         return status
 
 
+@functools.cache
+def companion_types():
+    """Once, and where a test wants them: it takes a second to read them."""
+    return CompanionTypes(os.path.join(OPCUA, "node_modules", "node-opcua-nodesets", "nodesets"))
+
+
 class ServedMachine(unittest.TestCase):
     """Each test has a daemon of its own, and a server when it asks for one."""
 
-    @classmethod
-    def setUpClass(cls):
-        cls.types = CompanionTypes(os.path.join(OPCUA, "node_modules", "node-opcua-nodesets", "nodesets"))
+    @property
+    def types(self):
+        return companion_types()
 
     def setUp(self):
         self.stack = contextlib.ExitStack()
