@@ -29,6 +29,9 @@ const policies = [
   SecurityPolicy.Aes256_Sha256_RsaPss,
 ];
 
+// Of every server of this kind (OPC 10000-5, BuildInfo).
+const product_uri = 'urn:stanok:opcua';
+
 /**
  * Without security on this computer only; otherwise at least signed, and never without a user.
  * @param {ServerOptions} options
@@ -115,9 +118,11 @@ async function server_of(options, version) {
     // No other server in the world has it (OPC 10000-4, ApplicationDescription).
     serverInfo: {
       applicationUri: `urn:${hostname()}:stanok:opcua`,
+      productUri: product_uri,
       applicationName: { text: 'stanok' },
     },
     buildInfo: {
+      productUri: product_uri,
       productName: 'stanok-opcua',
       softwareVersion: version,
       manufacturerName: 'stanok',

@@ -21,6 +21,7 @@ UA = "http://opcfoundation.org/UA/"
 MACHINERY, STANOK = UA + "Machinery/", "urn:stanok:machines"
 # Status and limits of the server, and what it tells of the namespace of OPC 10000-100.
 SERVER_STATUS, OPERATION_LIMITS, DEVICES = "i=2256", "i=11704", "ns=2;i=15001"
+BUILD_INFO = NodeId(0, 2260)
 AT_ONCE = 3  # references in an answer, so that BrowseNext gets the others
 # Structures of OPC 10000-5 and 10000-8 and the NodeIds of their encodings, members as the library calls them.
 STRUCTURES.update(structures("""
@@ -216,6 +217,11 @@ class SecondClient(ServedMachine):
             for found in (ours, theirs):
                 found.pop("CurrentTime", None)
             self.assertEqual(ours, theirs)
+        build, version = second.read([(BUILD_INFO, VALUE)])[0].value.value, machine.ask("system.info")["version"]
+        build = Reader(build.body).read_all(OBJECT_TYPES[build.type_id])
+        self.assertEqual((build.productName, build.productUri, build.softwareVersion),
+                         ("stanok-opcua", "urn:stanok:opcua", version))
+        self.assertEqual({endpoint.server.product_uri for endpoint in second.endpoints}, {"urn:stanok:opcua"})
         # Requests and responses of several chunks.
         self.assertEqual({tuple(value.value.value) for value in second.read([(NAMESPACES, VALUE)] * 500)},
                          {tuple(tree.namespaces)})
