@@ -7,13 +7,16 @@ usage: second_client_test.py STANOKD MACHINE_FILE FOLDER_OF_OPCUA [unittest argu
 exit code 77: node or the packages of npm are not to be had
 """
 import datetime
+import socket
 import struct
+import time
 import unittest
+import urllib.parse
 import uuid
 
 from binary_encoding import BUILT_IN, NUMBERS, STRUCTURES, DataValue, ExpandedNodeId, ExtensionObject, LocalizedText, \
     Malformed, NodeId, QualifiedName, Reader, StatusCode, Variant, encoded, structures
-from served_machine import MANDATORY_MIN, ROOT, ServedMachine, main
+from served_machine import MANDATORY_MIN, PATIENCE_S, ROOT, ServedMachine, main
 from specified_client import ACCESS_LEVEL, AGGREGATES, CLASS_NAMES, DATA_TYPE, MODE_NONE, NAMESPACES, OBJECTS, RENEW, \
     SERVER, SMALLEST_BUFFER_BYTES, VALUE, Channel, Client, Connection, Refused
 
@@ -22,6 +25,7 @@ MACHINERY, STANOK = UA + "Machinery/", "urn:stanok:machines"
 # Status and limits of the server, and what it tells of the namespace of OPC 10000-100.
 SERVER_STATUS, OPERATION_LIMITS, DEVICES = "i=2256", "i=11704", "ns=2;i=15001"
 BUILD_INFO = NodeId(0, 2260)
+SILENT = 40  # connections, of at most 25
 AT_ONCE = 3  # references in an answer, so that BrowseNext gets the others
 # Structures of OPC 10000-5 and 10000-8 and the NodeIds of their encodings, members as the library calls them.
 STRUCTURES.update(structures("""
@@ -307,6 +311,22 @@ class SecondClient(ServedMachine):
             self.assertIn(seen[what], ("BadTcpMessageTooLarge", "closed"), what)
         self.assertEqual(before.namespaces(), self.second(server).namespaces())
         print(seen)
+        # More connections that say nothing than there are places: the newcomer gets one of them.
+        place = urllib.parse.urlsplit(address)
+        for _ in range(SILENT):
+            self.stack.enter_context(socket.create_connection((place.hostname, place.port)))
+        self.assertEqual(before.namespaces(), self.newcomer(server).namespaces())
+
+    def newcomer(self, server):
+        """Refused at once now and then, while the server closes an older connection for this one."""
+        end = time.monotonic() + PATIENCE_S
+        while True:
+            try:
+                return self.second(server)
+            except ConnectionError:
+                if time.monotonic() > end:
+                    raise
+                time.sleep(0.05)
 
 
 if __name__ == "__main__":
