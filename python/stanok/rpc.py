@@ -33,6 +33,7 @@ Address = Union[str, "os.PathLike[str]", tuple[str, int], None]
 
 _bytes_max = 64 << 20  # of a line: the daemon's are shorter by far
 _slice_s = 0.05  # of waiting for what the daemon tells unasked
+_waiting_max = 10_000  # notifications that nobody takes
 
 
 class Notification(collections.namedtuple("Notification", "method params")):
@@ -62,6 +63,7 @@ class Client(Methods):
         self._buffer = bytearray()
         self._numbers = itertools.count(1)
         self._notifications: collections.deque[Notification] = collections.deque()
+        self._state: Any = {}  # as the status messages so far say
         self._lock = threading.RLock()
         super().__init__(self.call)
         try:
@@ -100,7 +102,8 @@ class Client(Methods):
     def notifications(self, timeout_s: float | None = None) -> Iterator[Notification]:
         """What the daemon tells unasked, as it comes; ends when nothing came for ``timeout_s``.
 
-        Other threads may ask meanwhile.
+        Other threads may ask meanwhile. Of what comes while nobody takes it, one ``status`` is kept, with the whole
+        state, and the newest of everything else, 10,000 together: a gap shows in ``seq`` of the events.
         """
         while True:
             notification = self._next_notification(_deadline(timeout_s))
@@ -171,8 +174,23 @@ class Client(Methods):
             time.sleep(0.001)
 
     def _keep(self, message: dict[str, Any]) -> None:
-        if "method" in message:
-            self._notifications.append(Notification(message["method"], message.get("params") or {}))
+        if "method" not in message:
+            return
+        notification = Notification(message["method"], message.get("params") or {})
+        if notification.method == "status":
+            notification = self._instead_of_waiting_status(notification)
+        elif len(self._notifications) >= _waiting_max:
+            self._notifications.popleft()
+        self._notifications.append(notification)
+
+    def _instead_of_waiting_status(self, status: Notification) -> Notification:
+        change = status.params.get("state")
+        self._state = change if status.params.get("full") else merged(self._state, change)
+        waiting = [one for one in self._notifications if one.method == "status"]
+        if not waiting:
+            return status
+        self._notifications.remove(waiting[0])
+        return Notification("status", {**status.params, "full": True, "state": self._state})
 
     def _send(self, message: dict[str, Any]) -> None:
         try:

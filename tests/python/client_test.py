@@ -209,6 +209,31 @@ class WithoutDaemon(unittest.TestCase):
         with self.assertRaises(stanok.ConnectionLost):
             client.machine.status()
 
+    def test_what_nobody_takes_is_bounded(self):
+        def line(**message):
+            return json.dumps({"jsonrpc": "2.0", **message}).encode() + b"\n"
+
+        def status(number, full):
+            state = {"channels": {"1": {"line": number, **({"tool": {"number": 7}} if full else {})}}}
+            return line(method="status", params={"seq": number, "full": full, "state": state})
+
+        def event(number):
+            return line(method="event", params={"seq": number, "text": f"event {number}"})
+
+        told = 25_000
+        lines = [line(method="hello", params={"machine": "m"}), status(0, full=True)]
+        lines += [part for number in range(1, told + 1) for part in (status(number, full=False), event(number))]
+        lines.append(line(id=1, result={"name": "m"}))
+        client = stanok.connect(self.serve(*lines))
+        self.addCleanup(client.close)
+        self.assertEqual(client.call("machine.status"), {"name": "m"})
+        kept = list(client._notifications)
+        self.assertLessEqual(len(kept), 10_001)
+        self.assertEqual([one.params["seq"] for one in kept if one.method == "event"][-1], told)
+        statuses = [one.params for one in kept if one.method == "status"]
+        self.assertEqual(statuses, [{"seq": told, "full": True,
+                                     "state": {"channels": {"1": {"line": told, "tool": {"number": 7}}}}}])
+
     def test_no_daemon_is_a_lost_connection(self):
         for address in ("/nowhere/one.sock", ("127.0.0.1", 1), "tcp://127.0.0.1:1"):
             with self.assertRaises(stanok.ConnectionLost):
