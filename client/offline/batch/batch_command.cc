@@ -16,6 +16,7 @@
 #include "client/offline/batch/batch_wait.h"
 #include "client/offline/batch/chunk_run.h"
 #include "client/offline/batch/slurm.h"
+#include "client/offline/simulate/part_pictures.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
 #include "client/terminal/noun_command.h"
@@ -31,6 +32,7 @@ struct BatchOptions {
   JobOptions job;
   double limit = 0.0;  // blocks or seconds; 0: none
   bool drives = false;
+  std::string pictures;
   LibraryOptions library;
   std::size_t chunk = 0;  // 0: the usual one
   Engine engine;
@@ -43,12 +45,18 @@ BatchPlan plan_of_options(const BatchOptions& options) {
   BatchPlan plan{.task = options.task,
                  .job = options.job,
                  .drives = options.drives,
+                 .pictures = options.pictures,
                  .library = options.library,
                  .directory = std::filesystem::current_path().string(),
                  .candidates = candidates_of(options.programs)};
   if (options.limit > 0.0 && options.task == BatchTask::simulate) plan.limit_s = options.limit;
   if (options.limit > 0.0 && options.task == BatchTask::check)
     plan.job.limit = static_cast<std::uint64_t>(options.limit);
+  if (!plan.pictures.empty()) {
+    if (plan.task == BatchTask::check)
+      throw CLI::ValidationError("--pictures", "belongs to --task simulate");
+    check_pictures(plan.candidates, plan.pictures);
+  }
   plan.library.is_isolated = true;
   plan.chunk = options.chunk > 0 ? options.chunk : usual_chunk(plan.candidates.programs.size());
   plan.context = work_of(plan).context();
@@ -134,6 +142,7 @@ int results(const BatchOptions& options) {
   // Nothing is printed where something is missing, and the results of all need not be in memory.
   for (std::size_t chunk = 0; chunk < plan.chunks(); ++chunk)
     static_cast<void>(results_of(folder, plan, chunk));
+  if (!plan.pictures.empty()) std::filesystem::current_path(plan.directory);
   const LibraryOutput output =
       output_of(plan, options.job.json ? BatchText::json : BatchText::table);
   for (std::size_t chunk = 0; chunk < plan.chunks(); ++chunk) {
@@ -207,6 +216,11 @@ void add_submit(CLI::App& noun, int& exit_code) {
       ->check(CLI::PositiveNumber)
       ->type_name("BLOCKS|SECONDS");
   command->add_flag("--drives", options->drives, "run the simulated drives (simulate)");
+  command
+      ->add_option("--pictures", options->pictures,
+                   "folder to which `batch results` writes a picture of what each program leaves "
+                   "of its blank: NAME.nc.png (simulate)")
+      ->type_name("FOLDER");
   add_library_options(*command, options->library);
   add_engine_options(*command, *options);
   command->callback([options, command, &exit_code] {

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int format = 1;
+constexpr int format = 2;
 constexpr std::size_t chunk_least = 100;
 constexpr std::size_t chunks_most = 1000;
 
@@ -48,7 +48,8 @@ Candidates candidates_in(const json& record) {
 }
 
 LibrarySimulation simulation_of(const BatchPlan& plan) {
-  return {.job = plan.job, .limit_s = plan.limit_s, .drives = plan.drives};
+  return {
+      .job = plan.job, .limit_s = plan.limit_s, .drives = plan.drives, .pictures = plan.pictures};
 }
 
 }  // namespace
@@ -77,6 +78,7 @@ std::string plan_record(const BatchPlan& plan) {
                    {"job", job_record(plan.job)},
                    {"limit_s", plan.limit_s},
                    {"drives", plan.drives},
+                   {"pictures", plan.pictures},
                    {"jobs", plan.library.jobs},
                    {"cache", plan.library.cache},
                    {"directory", plan.directory},
@@ -97,6 +99,7 @@ std::optional<BatchPlan> plan_of(std::string_view bytes) {
     plan.job = job_of(record.at("job"));
     plan.limit_s = record.at("limit_s");
     plan.drives = record.at("drives");
+    plan.pictures = record.at("pictures");
     plan.library = {.jobs = record.at("jobs"), .cache = record.at("cache"), .is_isolated = true};
     plan.directory = record.at("directory");
     plan.context = record.at("context");

@@ -23,6 +23,7 @@ struct BatchPlan {
   JobOptions job{};
   double limit_s = -1.0;     // of a simulation; < 0: none
   bool drives = false;       // simulated drives
+  std::string pictures{};    // of a simulation: folder for them, from `directory`; empty: none
   LibraryOptions library{};  // of each chunk
   std::string directory{};
   // Digest of stanok, the machine and the options: what takes part has the same.

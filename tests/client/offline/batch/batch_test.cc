@@ -92,6 +92,26 @@ TEST_F(Batch, OfSimulationsGivesWhatASimulationGives) {
   EXPECT_EQ(batch.exit_code, one.exit_code);
 }
 
+TEST_F(Batch, OfSimulationsHasThePicturesOfASimulation) {
+  for (const std::string name : {"sub/one.nc", "two.nc"}) {
+    write(name,
+          "#workpiece (0, 0.5, 0, 20, 20, 10, 10, 10, 10)\nG1 X0 Y0 Z5 F3000\nZ-2\nX5\nM30\n");
+  }
+  const Said one = run("simulate programs --json --pictures pictures " + machine());
+  fs::rename(folder_.path() / "pictures", folder_.path() / "of_one");
+  EXPECT_EQ(submit("--chunk 3 --task simulate --pictures pictures").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder_.path() / "pictures"));
+  const Said batch = run("batch results work --json");
+  EXPECT_EQ(batch.data, one.data);
+  for (const std::string name : {"sub/one.nc.png", "two.nc.png"}) {
+    const std::string picture = text_of(folder_.path() / "pictures" / name);
+    EXPECT_FALSE(picture.empty()) << name;
+    EXPECT_TRUE(picture == text_of(folder_.path() / "of_one" / name)) << name;
+  }
+  EXPECT_EQ(run("batch submit programs --work other --pictures pictures " + machine()).exit_code,
+            2);  // of a check there are none
+}
+
 TEST_F(Batch, AChunkThatIsLostOrDamagedIsDoneAgain) {
   ASSERT_EQ(submit("--chunk 2").exit_code, 0);
   const std::string whole = run("batch results work --json").data;
