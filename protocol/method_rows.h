@@ -39,6 +39,16 @@ inline constexpr Parameter channel{.name = "channel",
                                    .maximum = channel_max,
                                    .help = "channel; default: the first one"};
 
+inline constexpr auto system_choices = std::to_array<std::string_view>({"work", "part"});
+
+inline constexpr Parameter system_of_path{
+    .name = "system",
+    .type = ParameterType::choice,
+    .choices = system_choices,
+    .help =
+        "of the points: work, the workpiece system that is active there, or part, one that "
+        "stays on the part; default: work"};
+
 constexpr Parameter required_text(std::string_view name, std::string_view help) {
   return {.name = name,
           .type = ParameterType::text,

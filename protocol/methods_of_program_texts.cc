@@ -73,16 +73,6 @@ constexpr Parameter follow{.name = "follow",
                                "1: the answer names the request for the page behind it, as it "
                                "does without `page`; default 0"};
 
-constexpr auto system_choices = std::to_array<std::string_view>({"work", "part"});
-
-constexpr Parameter system_of_path{
-    .name = "system",
-    .type = ParameterType::choice,
-    .choices = system_choices,
-    .help =
-        "of the points: work, the workpiece system that is active there, or part, one that "
-        "stays on the part; default: work"};
-
 constexpr std::array of_read{file_of_program, offset};
 constexpr std::array of_write{file_of_program, whole_text, version, more, name_of_text};
 constexpr std::array of_remove{file_of_program, version};

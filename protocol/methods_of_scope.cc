@@ -84,7 +84,7 @@ constexpr Parameter page_of_log{
     .help = "page of the path, from 0; default 0, which reads the log anew"};
 
 constexpr std::array of_log{log_name};
-constexpr std::array of_logged_path{log_name, channel, page_of_log};
+constexpr std::array of_logged_path{log_name, channel, page_of_log, system_of_path};
 
 constexpr auto scope_rows = std::to_array<Method>({
     {.name = "scope.signals",
@@ -123,8 +123,8 @@ constexpr auto scope_rows = std::to_array<Method>({
      .course = Course::reads_program,
      .parameters = of_logged_path,
      .help = "where a log led the tip of a channel: pages of points with their times",
-     .result = R"({"file":"string","channel":"integer","first_cycle":"integer","time_s":"number",
-      "points":"integer","pages":"integer","geometry":"any"})"},
+     .result = R"({"file":"string","channel":"integer","system":"string",
+      "first_cycle":"integer","time_s":"number","points":"integer","pages":"integer","geometry":"any"})"},
 });
 
 }  // namespace

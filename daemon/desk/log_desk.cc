@@ -6,9 +6,11 @@
 
 #include "base/place.h"
 #include "daemon/desk/log_folder.h"
+#include "daemon/report/status_report.h"
 #include "protocol/geometry_bytes.h"
 #include "recording/read/log_contents.h"
 #include "recording/read/setpoint_walk.h"
+#include "runtime/foresight/logged_tip.h"
 #include "runtime/replay.h"
 
 namespace stanok::daemon {
@@ -80,13 +82,18 @@ class PathThinner {
   PathThinner(std::array<int, 3> axes, double cycle_ms, LoggedPath& path)
       : axes_(axes), cycle_ms_(cycle_ms), path_(path) {}
 
+  // In the workpiece system that was active.
   void add(const setpoint_t& setpoint) {
+    std::array<float, 3> place_mm{};
+    for (std::size_t k = 0; k < axes_.size(); ++k) {
+      if (axes_[k] >= 0) place_mm[k] = static_cast<float>(setpoint.tip_position[axes_[k]]);
+    }
+    add(setpoint, place_mm);
+  }
+  void add(const setpoint_t& setpoint, const std::array<float, 3>& place_mm) {
     if (path_.points.empty() && path_.last_cycle == 0) path_.first_cycle = setpoint.cycle;
     path_.last_cycle = setpoint.cycle;
-    LoggedPath::Point point;
-    for (std::size_t k = 0; k < axes_.size(); ++k) {
-      if (axes_[k] >= 0) point.place_mm[k] = static_cast<float>(setpoint.tip_position[axes_[k]]);
-    }
+    LoggedPath::Point point{.place_mm = place_mm};
     const auto cycles = static_cast<double>(setpoint.cycle - path_.first_cycle);
     point.time_ms = static_cast<std::uint32_t>(std::lround(cycles * cycle_ms_));
     point.line = static_cast<std::uint32_t>(setpoint.line);
@@ -131,21 +138,44 @@ std::array<int, 3> places_of_xyz(const channels::MachineConfig& machine, int cha
   return places;
 }
 
-Expected<LoggedPath, Failure> logged_path(const fs::path& log, int channel,
-                                          const channels::MachineConfig& machine,
-                                          const std::stop_token& stop) {
+std::optional<recording::LogError> add_places_in_work(const fs::path& log, int channel,
+                                                      PathThinner& thinner,
+                                                      const std::stop_token& stop) {
   const auto contents = recording::read_contents(log);
-  if (!contents) return unreadable_log(contents.error().text);
+  if (!contents) return contents.error();
+  return recording::for_each_setpoint(log, *contents, channel, [&](const setpoint_t& setpoint) {
+    if (stop.stop_requested()) throw NoLongerWanted{};
+    thinner.add(setpoint);
+  });
+}
+
+std::optional<recording::LogError> add_places_on_part(const fs::path& log, runtime::LoggedTip tip,
+                                                      PathThinner& thinner,
+                                                      const std::stop_token& stop) {
+  return runtime::for_each_place(
+      log, tip, [&](const setpoint_t& setpoint, const std::optional<simulation::Vector>& place) {
+        if (stop.stop_requested()) throw NoLongerWanted{};
+        if (!place) return;
+        const Eigen::Vector3f place_mm = place->cast<float>();
+        thinner.add(setpoint, {place_mm.x(), place_mm.y(), place_mm.z()});
+      });
+}
+
+// `part`: its system, else points are those of the workpiece system that was active.
+Expected<LoggedPath, Failure> logged_path(const fs::path& log,
+                                          const channels::ChannelConfig& channel,
+                                          const channels::MachineConfig& machine,
+                                          const std::optional<runtime::PartSystem>& part,
+                                          const std::stop_token& stop) {
   LoggedPath path;
   path.file = log;
-  path.channel = channel;
-  PathThinner thinner(places_of_xyz(machine, channel), machine.cycle_us * 1e-3, path);
+  path.channel = channel.id;
+  path.is_on_part = part.has_value();
+  PathThinner thinner(places_of_xyz(machine, channel.id), machine.cycle_us * 1e-3, path);
   try {
     const auto error =
-        recording::for_each_setpoint(log, *contents, channel, [&](const setpoint_t& setpoint) {
-          if (stop.stop_requested()) throw NoLongerWanted{};
-          thinner.add(setpoint);
-        });
+        part ? add_places_on_part(log, runtime::LoggedTip(machine, channel, *part), thinner, stop)
+             : add_places_in_work(log, channel.id, thinner, stop);
     if (error) return unreadable_log(error->text);
   } catch (const NoLongerWanted&) {
     return unreadable_log("the request was cancelled");
@@ -167,6 +197,7 @@ json path_page(const LoggedPath& path, std::size_t page, int cycle_us) {
   const double cycles = static_cast<double>(path.last_cycle - path.first_cycle);
   return {{"file", path.file.filename().string()},
           {"channel", path.channel},
+          {"system", path.is_on_part ? "part" : "work"},
           {"first_cycle", path.first_cycle},
           {"time_s", cycles * cycle_us * 1e-6},
           {"points", path.points.size()},
@@ -200,15 +231,29 @@ void LogDesk::verify(int session, const json& parameters, Answer answer) {
       std::move(answer));
 }
 
+// That of the newest planned path, or the one that would begin now, as `on_part` of channel.status.
+std::optional<runtime::PartSystem> LogDesk::part_system(int channel) {
+  if (const auto path = machine_.planned_path(channel)) {
+    if (const auto part = path->state().part) return part;
+  }
+  const channels::MachineConfig& machine = machine_.file().machine;
+  const runtime::PartPlace place(machine, config_of(machine, channel));
+  return place.system_of(output_of(machine_.newest_output(), channel));
+}
+
 void LogDesk::path(int session, const json& parameters, int channel, Answer answer) {
   const auto log = log_named(machine_.recording_status(), parameters["file"].get<std::string>());
   if (!log) return answer(Unexpected<Failure>(log.error()));
   const auto page = parameters.value("page", std::size_t{0});
-  const auto work = [newest = newest_, log = *log, channel, page,
+  const auto part = parameters.value("system", std::string("work")) == "part" ? part_system(channel)
+                                                                              : std::nullopt;
+  const auto work = [newest = newest_, log = *log, channel, page, part,
                      machine =
                          machine_.file().machine](const std::stop_token& stop) -> CommandResult {
-    if (page == 0 || newest->path.file != log || newest->path.channel != channel) {
-      auto path = logged_path(log, channel, machine, stop);
+    const LoggedPath& last = newest->path;
+    const bool is_last = last.file == log && last.channel == channel;
+    if (page == 0 || !is_last || last.is_on_part != part.has_value()) {
+      auto path = logged_path(log, config_of(machine, channel), machine, part, stop);
       if (!path) return Unexpected<Failure>(path.error());
       newest->path = std::move(*path);
     }

@@ -7,8 +7,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "daemon/desk/background_work.h"
+#include "runtime/foresight/part_place.h"
 
 namespace stanok::daemon {
 
@@ -21,6 +23,7 @@ struct LoggedPath {
   };
   std::filesystem::path file;
   int channel = 0;
+  bool is_on_part = false;  // in the part system; else in the workpiece system that was active
   std::int64_t first_cycle = 0;
   std::int64_t last_cycle = 0;
   std::vector<Point> points;
@@ -48,6 +51,8 @@ class LogDesk {
   struct Newest {
     LoggedPath path;
   };
+  [[nodiscard]] std::optional<runtime::PartSystem> part_system(int channel);
+
   RunningMachine& machine_;
   std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
   BackgroundWork work_{BackgroundWork::Urgency::idle};

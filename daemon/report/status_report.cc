@@ -84,11 +84,6 @@ json with_forgotten(json history, std::uint64_t count) {
   return history;
 }
 
-const channels::ChannelConfig& config_of(const channels::MachineConfig& machine, int channel) {
-  return *std::find_if(machine.channels.begin(), machine.channels.end(),
-                       [&](const auto& config) { return config.id == channel; });
-}
-
 // Where the next run begins, when that is not the first block.
 json begins_at(const std::optional<channels::SearchReport>& search) {
   return search ? json(search->file + ":" + std::to_string(search->line)) : json(nullptr);
@@ -191,6 +186,11 @@ json alarm_json(const channels::AlarmReport& alarm) {
           {"column", number_or_null(alarm.diagnostic.place.column)},
           {"reaction", row == nullptr ? json(nullptr) : json(static_cast<int>(row->reaction))},
           {"remedy", row == nullptr ? json(nullptr) : json(row->remedy)}};
+}
+
+const channels::ChannelConfig& config_of(const channels::MachineConfig& machine, int channel) {
+  return *std::find_if(machine.channels.begin(), machine.channels.end(),
+                       [&](const auto& config) { return config.id == channel; });
 }
 
 ChannelOutput output_of(const channels::CycleOutput& output, int channel) {

@@ -62,9 +62,12 @@ class StatusReport {
   std::map<int, runtime::PartPlace> part_places_;          // likewise
 };
 
-// Output of a channel by its id; the output of a channel that has none yet is all zeros.
 // An alarm as clients get it, with what the catalogue says of it.
 [[nodiscard]] nlohmann::json alarm_json(const channels::AlarmReport& alarm);
+// A channel of the machine by its id.
+[[nodiscard]] const channels::ChannelConfig& config_of(const channels::MachineConfig& machine,
+                                                       int channel);
+// Output of a channel by its id; the output of a channel that has none yet is all zeros.
 [[nodiscard]] channels::ChannelOutput output_of(const channels::CycleOutput& output, int channel);
 
 }  // namespace stanok::daemon

@@ -1094,7 +1094,14 @@ class HistoryMethods:
         """
         return self._call("history.verify", _given(file=file))
 
-    def path(self, file: str, *, channel: int | None = None, page: int | None = None) -> dict[str, Any]:
+    def path(
+        self,
+        file: str,
+        *,
+        channel: int | None = None,
+        page: int | None = None,
+        system: Literal["work", "part"] | None = None,
+    ) -> dict[str, Any]:
         """Where a log led the tip of a channel: pages of points with their times.
 
         ``history.path``, for the role observer.
@@ -1103,8 +1110,10 @@ class HistoryMethods:
             file: name of a log, as history.logs tells it.
             channel: channel; default: the first one; 1 to 999.
             page: page of the path, from 0; default 0, which reads the log anew; 0 to 1000000.
+            system: of the points: work, the workpiece system that is active there, or part, one that stays
+                on the part; default: work.
         """
-        return self._call("history.path", _given(file=file, channel=channel, page=page))
+        return self._call("history.path", _given(file=file, channel=channel, page=page, system=system))
 
 
 class LogMethods:

@@ -12,6 +12,11 @@ simulation::Axes axes_of(const channels::ChannelOutput& output) {
   return axes_M;
 }
 
+simulation::ToolPlace in_part(const PartSystem& part, const simulation::ToolPlace& place_B) {
+  const simulation::Pose to_part = part.in_base.inverse();
+  return {to_part * place_B.tip, to_part.linear() * place_B.axis};
+}
+
 }  // namespace
 
 PartPlace::PartPlace(const channels::MachineConfig& machine, const channels::ChannelConfig& channel)
@@ -43,16 +48,22 @@ std::optional<PartSystem> PartChoice::at_begin(const PartPlace& place,
 
 std::optional<simulation::ToolPlace> PartPlace::tool_in(
     const PartSystem& part, const channels::ChannelOutput& output) const {
-  if (!machine_.has_scheme(part.scheme) || !machine_.has_scheme(output.scheme)) return std::nullopt;
   const simulation::Axes axes_M = axes_of(output);
   const simulation::ToolRecord tool = record_of(output.tool_row);
-  simulation::ToolPlace place = machine_.place_in(part.scheme, output.scheme, axes_M, tool.mount);
   // A spindle that is an axis turns the part beneath a tool that is no turning tool.
   const bool is_turned = turning_axis_.exists() && !output.drives[turning_axis_].follows_velocity &&
                          tool.shape.kind != simulation::ToolKind::insert;
-  if (is_turned) place = machine_.turned_with_workpiece(part.scheme, axes_M, place);
-  const simulation::Pose to_part = part.in_base.inverse();
-  return simulation::ToolPlace{to_part * place.tip, to_part.linear() * place.axis};
+  if (!is_turned) return tool_over_bed_in(part, output.scheme, axes_M, tool.mount);
+  if (!has_both(part, output.scheme)) return std::nullopt;
+  const auto place = machine_.place_in(part.scheme, output.scheme, axes_M, tool.mount);
+  return in_part(part, machine_.turned_with_workpiece(part.scheme, axes_M, place));
+}
+
+std::optional<simulation::ToolPlace> PartPlace::tool_over_bed_in(
+    const PartSystem& part, int scheme, const simulation::Axes& axes_M,
+    const simulation::ToolMount& mount) const {
+  if (!has_both(part, scheme)) return std::nullopt;
+  return in_part(part, machine_.place_in(part.scheme, scheme, axes_M, mount));
 }
 
 std::optional<simulation::Pose> PartPlace::work_in(const PartSystem& part,

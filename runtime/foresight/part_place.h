@@ -30,6 +30,10 @@ class PartPlace {
   // Tip in P and direction from it into the spindle; nothing: one of the schemes is not known.
   [[nodiscard]] std::optional<simulation::ToolPlace> tool_in(
       const PartSystem& part, const channels::ChannelOutput& output) const;
+  // The same over a bed that does not turn, of axes that stand so under a scheme.
+  [[nodiscard]] std::optional<simulation::ToolPlace> tool_over_bed_in(
+      const PartSystem& part, int scheme, const simulation::Axes& axes_M,
+      const simulation::ToolMount& mount) const;
   // W -> P, now; nothing: another scheme is active than the one that carries P.
   [[nodiscard]] std::optional<simulation::Pose> work_in(
       const PartSystem& part, const channels::ChannelOutput& output) const;
@@ -41,6 +45,9 @@ class PartPlace {
  private:
   explicit PartPlace(const simulation::ChannelGeometry& geometry);
   [[nodiscard]] simulation::Pose work_in_base(const channels::ChannelOutput& output) const;
+  [[nodiscard]] bool has_both(const PartSystem& part, int scheme) const {
+    return machine_.has_scheme(part.scheme) && machine_.has_scheme(scheme);
+  }
 
   simulation::MachineGeometry machine_;
   AxisIndex turning_axis_;  // of a lathe: the spindle as an axis

@@ -165,7 +165,11 @@ class AtTheMachine(unittest.TestCase):
     def test_a_log_is_verified_and_its_path_comes_with_times(self):
         window = self.open_window()
         self.switch_on(window)
-        window.ask("program.write", program="way.nc", text="G21 G90\nG1 X20 F3000\nG1 Y10\nM30\n")
+        # G55 lies 100 mm beside G54.
+        window.ask("offset.set", offset="G54", axis="X", value=0.0)
+        window.ask("offset.set", offset="G55", axis="X", value=100.0)
+        text = "G21 G90 G54\nG1 X20 F3000\nG1 Y10\nG55\nG1 X-70\nG54\nM30\n"
+        window.ask("program.write", program="way.nc", text=text)
         self.insist(window, "program.run", code="E6008", program="way.nc")
         self.until(lambda status: status["position"]["Y"] == 10 and status["state"] == "Reset", "it was there")
         log = os.path.basename(window.ask("log.stop")["path"])
@@ -173,18 +177,20 @@ class AtTheMachine(unittest.TestCase):
         self.assertIn(log, listed)
         verified = window.ask("history.verify", file=log)
         self.assertEqual((verified["verdict"], verified["difference"]), ("same", None), verified)
-        path = window.ask("history.path", file=log)
-        frame = window.receive_frame()[1] if not window.binary else window.binary.pop()
-        kind, _, _, count = struct.unpack_from("<4I", frame)
-        self.assertEqual((kind, count), (3, path["points"]))
-        points = list(zip(*[iter(struct.unpack_from(f"<{3 * count}f", frame, 16))] * 3))
-        times = struct.unpack_from(f"<{count}I", frame, 16 + 12 * count)
-        self.assertEqual(list(times), sorted(times))
-        for corner in ((20, 0), (20, 10)):
-            self.assertLess(min(math.dist(corner, point[:2]) for point in points), 0.1)
-        # 30 mm at 50 mm/s take 0.6 s and a little more.
-        self.assertGreater(times[-1] - times[0], 600)
-        self.assertEqual({line for _, line in path["geometry"]["lines"]} - {0}, {2, 3})
+        for system, end_of_row in (("work", (-70, 10)), ("part", (30, 10))):
+            path = window.ask("history.path", file=log, system=system)
+            self.assertEqual(path["system"], system)
+            frame = window.receive_frame()[1] if not window.binary else window.binary.pop()
+            kind, _, _, count = struct.unpack_from("<4I", frame)
+            self.assertEqual((kind, count), (3, path["points"]))
+            points = list(zip(*[iter(struct.unpack_from(f"<{3 * count}f", frame, 16))] * 3))
+            times = struct.unpack_from(f"<{count}I", frame, 16 + 12 * count)
+            self.assertEqual(list(times), sorted(times))
+            for corner in ((20, 0), (20, 10), end_of_row):
+                self.assertLess(min(math.dist(corner, point[:2]) for point in points), 0.1)
+            # 40 mm at 50 mm/s take 0.8 s and a little more.
+            self.assertGreater(times[-1] - times[0], 800)
+            self.assertEqual({line for _, line in path["geometry"]["lines"]} - {0, 4, 6}, {2, 3, 5})
         window.close()
 
     def look_at_surface(self, window, bricks, known):

@@ -1369,6 +1369,7 @@ export interface Methods {
       file: string;
       channel?: number;
       page?: number;
+      system?: "work" | "part";
     };
     result: {
       channel: number;
@@ -1377,6 +1378,7 @@ export interface Methods {
       geometry: unknown;
       pages: number;
       points: number;
+      system: string;
       time_s: number;
     };
   };

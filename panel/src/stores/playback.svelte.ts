@@ -58,7 +58,7 @@ class Playback {
     let first = 0;
     try {
       for (let page = 0, pages = 1; page < pages; ++page) {
-        const answer = await store.call('history.path', { file, channel, page });
+        const answer = await store.call('history.path', { file, channel, page, system: 'part' });
         this.#append(await frames.next(page), (answer.geometry as Geometry).lines);
         ({ pages, time_s: this.length_s, first_cycle: first } = answer);
       }
