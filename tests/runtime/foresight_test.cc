@@ -15,6 +15,7 @@
 
 #include "runtime/foresight/thread_time.h"
 #include "tests/support/project_folders.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 
 namespace stanok::runtime {
@@ -236,7 +237,7 @@ TEST_F(ForesightTest, SaysWhyAPathDoesNotLeadToTheEnd) {
                   {folder.path()},
                   [](const recording::PathPreview&) {},
                   [](const std::string& obstacle) { ADD_FAILURE() << obstacle; },
-                  std::chrono::milliseconds(200)};
+                  std::chrono::milliseconds(stanok::testing::is_sanitized ? 5000 : 500)};
   hasty.look_at(1, "endless.nc", now, file.machine.tables);
   EXPECT_EQ(wait_until_given_up(hasty), GivenUp::computing_time);
   EXPECT_GT(hasty.planned_path(1)->state().points, 0U) << "what there was is kept";
