@@ -14,6 +14,7 @@
 
 #include "tests/client/stanok_program.h"
 #include "tests/support/project_folders.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_directory.h"
 
 namespace stanok::client {
@@ -44,6 +45,7 @@ TEST_P(ExampleProgram, RunsToItsEndOnItsMachineAndRepeats) {
   std::string command = stanok_program + " simulate " + example_folder + example.name +
                         ".nc --machine " + root + "/config/machines/" + example.machine + ".toml";
   if (*example.scheme != '\0') command += std::string(" --scheme 1=") + example.scheme;
+  if (testing::is_sanitized) return expect_success(command);  // logs are repeated in release
   const testing::TemporaryDirectory folder;
   const std::string log = (folder.path() / "run.lcm").string();
   expect_success(command + " --log " + log);
