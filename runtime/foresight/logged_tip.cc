@@ -11,8 +11,8 @@ namespace stanok::runtime {
 
 using recording::Topic;
 
-LoggedTip::LoggedTip(const channels::MachineConfig& machine,
-                     const channels::ChannelConfig& channel, const PartSystem& part)
+LoggedTip::LoggedTip(const channels::MachineConfig& machine, const channels::ChannelConfig& channel,
+                     const PartSystem& part)
     : channel_(channel.id),
       place_(machine, channel),
       part_(part),

@@ -1,7 +1,7 @@
 // LoggedTip: where the tip of a channel was on the part, in the order of the messages of its log.
 //
-// Tools are those of the log (TOOL, TOOL_ROW), and of the machine file until it names one. A log does
-// not say whether the spindle of a lathe was an axis: places are those over its bed.
+// Tools are those of the log (TOOL, TOOL_ROW), and of the machine file until it names one. A log
+// does not say whether the spindle of a lathe was an axis: places are those over its bed.
 #pragma once
 
 #include <filesystem>
@@ -37,8 +37,8 @@ class LoggedTip {
   channels::ToolAtWork tool_;
 };
 
-// All setpoints of the tip's channel, in the order of the file, with their places. Nothing is returned
-// but the reason why the file cannot be read.
+// All setpoints of the tip's channel, in the order of the file, with their places. Nothing is
+// returned but the reason why the file cannot be read.
 [[nodiscard]] std::optional<recording::LogError> for_each_place(
     const std::filesystem::path& log, LoggedTip& tip,
     const std::function<void(const setpoint_t&, const std::optional<simulation::Vector>&)>& visit);

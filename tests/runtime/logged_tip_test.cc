@@ -1,5 +1,5 @@
-// Where a log led the tip on the part: over work offsets as their numbers say, over tables that turn
-// as the programmed point says, which rides on them.
+// Where a log led the tip on the part: over work offsets as their numbers say, over tables that
+// turn as the programmed point says, which rides on them.
 #include "runtime/foresight/logged_tip.h"
 
 #include <gtest/gtest.h>
