@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "simulation/cube_cases.h"
 
@@ -10,8 +11,10 @@ namespace stanok::simulation {
 namespace {
 
 constexpr std::uint32_t no_point = 0xffffffffU;
-// Points keep off the corners of a cube, so that no triangle shrinks to nothing.
-constexpr double part_min = 0.01;
+// Points keep off the corners of a cube, so that no triangle shrinks to nothing: by so much of a
+// cell, and by so many times what positions are rounded to.
+constexpr double part_min = 1e-4;
+constexpr double roundings_min = 4.0;
 // A crossing so far beside its edge is on it but for the steps of the cut; parts of a cell.
 constexpr double beside_max = 0.25;
 
@@ -22,13 +25,26 @@ struct Layer {
   std::array<std::vector<std::uint32_t>, 3> points;
 };
 
+// How far points keep off the corners along each axis, in parts of a cell.
+PerAxis<double> parts_off_corners(const Grid& grid) {
+  PerAxis<double> parts{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double largest =
+        std::max(std::abs(grid.middle(axis, -1)), std::abs(grid.middle(axis, grid.count[axis])));
+    const double rounding = largest * std::numeric_limits<float>::epsilon();
+    parts[axis] = std::max(part_min, roundings_min * rounding / grid.cell[axis]);
+  }
+  return parts;
+}
+
 class Builder {
  public:
   Builder(const Material& material, const CubeWindow& cubes)
       : material_(material),
         grid_(material.grid()),
         cubes_(cubes),
-        points_{cubes.to[0] - cubes.from[0] + 1, cubes.to[1] - cubes.from[1] + 1} {}
+        points_{cubes.to[0] - cubes.from[0] + 1, cubes.to[1] - cubes.from[1] + 1},
+        off_corners_(parts_off_corners(material.grid())) {}
 
   Patch build() {
     Layer below = layer(cubes_.from[2]);
@@ -100,7 +116,7 @@ class Builder {
       if (beside > beside_min) return;
       beside_min = beside;
       end_found = end;
-      part = std::clamp(along, part_min, 1.0 - part_min);
+      part = std::clamp(along, off_corners_[axis], 1.0 - off_corners_[axis]);
     });
     Vector point;
     for (int k = 0; k < 3; ++k) point[k] = grid_.middle(k, node[k]);
@@ -163,6 +179,7 @@ class Builder {
   const Grid& grid_;
   CubeWindow cubes_;
   Raster points_;  // of a layer
+  PerAxis<double> off_corners_;
   Patch patch_;
 };
 

@@ -105,7 +105,7 @@ std::string table_of_documents() {
       const Measured measured = measure(part, resolution);
       rays += fmt::format(" {:.2f} % |", 100.0 * measured.by_rays);
       surfaces += fmt::format(" {:.2f} % |", 100.0 * measured.by_surface);
-      deviations += fmt::format(" {:.3f} mm |", measured.deviation_mm);
+      deviations += fmt::format(" {:.1f} µm |", 1e3 * measured.deviation_mm);
     }
     text += fmt::format("| {} | {:.1f} |{}{}{}\n", part.name, part.removed_mm3, rays, surfaces,
                         deviations);

@@ -57,7 +57,7 @@ std::string top_and_slopes() {
 }
 
 // Away from edges, which the mesh bevels, a point of the surface lies on one face.
-TEST(TiltedPart, IsTrueToAHundredthOfTheResolution) {
+TEST(TiltedPart, IsAsTrueOnItsSlopesAsOnItsTop) {
   MeasuringBench bench("trunnion.toml");
   bench.options.workpieces = std::make_shared<SimulatedWorkpieces>(
       bench.options.file, simulation::memory_default,
@@ -85,7 +85,7 @@ TEST(TiltedPart, IsTrueToAHundredthOfTheResolution) {
   }
   for (std::size_t face = 0; face < off.size(); ++face) {
     EXPECT_GT(points[face], 500) << "face " << face;
-    EXPECT_LT(off[face], 0.01 * ray_spacing) << "face " << face;
+    EXPECT_LT(off[face], 0.0003 * ray_spacing) << "face " << face;
   }
 }
 
