@@ -18,6 +18,9 @@ const chromiumPath = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(exi
 
 const patience_ms = 60_000;
 
+/** Whether every size, language and look of a view is to be looked at, and not some of each. */
+export const full = process.env.STANOK_FULL === '1';
+
 /** Of the users `observer` and `operator`. */
 export const password = 'a long password';
 

@@ -2,6 +2,7 @@
 // belong, what is pressed is large enough, text can be read, axe-core finds nothing. And the states
 // in which there is nothing to show: connecting, empty, lost, not permitted, signed out.
 //
+// Not every combination of them is looked at, unless STANOK_FULL=1 asks for it (ctest panel.views_long).
 // With STANOK_WRITE_DOCS=1 it takes the pictures of docs/operator/panel-views.md, too.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -9,7 +10,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { findings, measure } from './looks.mjs';
-import { password, root, setStage, until } from './stage.mjs';
+import { full, password, root, setStage, until } from './stage.mjs';
 
 const views = [
   'machine',
@@ -22,12 +23,18 @@ const views = [
   'history',
   'help',
 ];
-const sizes = [
-  [360, 640],
-  [800, 1280],
-  [1280, 800],
-  [3840, 2160],
-];
+// The smallest page with the longer words, and the one that most see; all of them in both languages when it is full.
+const sizes = full
+  ? [
+      [360, 640],
+      [800, 1280],
+      [1280, 800],
+      [3840, 2160],
+    ].flatMap((size) => ['en-US', 'ru-RU'].map((locale) => [...size, locale]))
+  : [
+      [360, 640, 'ru-RU'],
+      [1280, 800, 'en-US'],
+    ];
 const example = join(root, 'programs/examples/square_and_circle.nc');
 
 let stage;
@@ -68,38 +75,36 @@ async function stopsAreInTheirCorner(page, width) {
 }
 
 describe('sizes', () => {
-  for (const [width, height] of sizes) {
-    for (const locale of ['en-US', 'ru-RU']) {
-      test(`${width} x ${height}, ${locale}`, async () => {
-        const page = await stage.openMachine({ width, height, locale });
-        await page.locator('[data-help=jog] button').first().click();
-        for (const view of views) {
-          await show(page, view);
-          assert.deepEqual(await page.evaluate(measure), [], view);
-          await stopsAreInTheirCorner(page, width);
-        }
-        await show(page, 'machine');
-        await page.locator('[data-help=positions] button').click();
-        assert.deepEqual(await page.evaluate(measure), [], 'big digits');
-        await page.locator('[data-help=positions] button').click();
-        if (width === 1280) {
-          const digits = page.locator('.work').first();
-          const size = await digits.evaluate((one) => parseFloat(getComputedStyle(one).fontSize));
-          assert.ok(size >= 32, `positions are written with ${size} px`);
-        }
-        await page.context().close();
-      });
-    }
+  for (const [width, height, locale] of sizes) {
+    test(`${width} x ${height}, ${locale}`, async () => {
+      const page = await stage.openMachine({ width, height, locale });
+      await page.locator('[data-help=jog] button').first().click();
+      for (const view of views) {
+        await show(page, view);
+        assert.deepEqual(await page.evaluate(measure), [], view);
+        await stopsAreInTheirCorner(page, width);
+      }
+      await show(page, 'machine');
+      await page.locator('[data-help=positions] button').click();
+      assert.deepEqual(await page.evaluate(measure), [], 'big digits');
+      await page.locator('[data-help=positions] button').click();
+      if (width === 1280) {
+        const digits = page.locator('.work').first();
+        const size = await digits.evaluate((one) => parseFloat(getComputedStyle(one).fontSize));
+        assert.ok(size >= 32, `positions are written with ${size} px`);
+      }
+      await page.context().close();
+    });
   }
 });
 
 describe('axe-core finds nothing', () => {
   const looks = [
-    { colorScheme: 'light', width: 1280, height: 800 },
     { colorScheme: 'dark', width: 1280, height: 800 },
+    { colorScheme: 'light', width: 1280, height: 800 },
     { colorScheme: 'light', contrast: 'more', width: 360, height: 640 },
   ];
-  for (const look of looks) {
+  for (const look of full ? looks : looks.slice(0, 1)) {
     test(`${look.colorScheme} ${look.contrast ?? ''} ${look.width}`, async () => {
       const page = await stage.openMachine(look);
       for (const view of views) {
@@ -437,11 +442,12 @@ describe('what is not saved', () => {
 });
 
 describe('the manual', () => {
-  for (const [width, height, locale] of [
+  const pages = [
     [360, 640, 'ru-RU'],
     [1280, 800, 'en-US'],
     [3840, 2160, 'en-US'],
-  ]) {
+  ];
+  for (const [width, height, locale] of full ? pages : pages.slice(0, 1)) {
     test(`is read and found in, ${width} x ${height}, ${locale}`, async () => {
       const page = await stage.openMachine({ width, height, locale });
       await show(page, 'help');
