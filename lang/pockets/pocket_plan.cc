@@ -34,6 +34,7 @@ std::vector<ClosedLine> lines_of(const Region& region) {
 
 std::vector<PlaneElement> elements_of(const PocketWish& wish) {
   std::vector<PlaneElement> elements;
+  elements.reserve(wish.outline.size());
   for (const OutlineElement& one : wish.outline) elements.push_back(one.element);
   return elements;
 }

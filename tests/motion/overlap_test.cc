@@ -137,6 +137,22 @@ TEST(Overlap, AnArcIsEnteredAsALineInItsDirection) {
   }
 }
 
+// Distance to the nearest of the arcs about their centres, each within its sweep, or of their ends.
+double distance_to_arcs(const std::vector<PathBlock>& blocks, double radius, double x, double y) {
+  double nearest = unlimited;
+  Point start{};
+  for (const PathBlock& block : blocks) {
+    const double across = x - block.centre[0];
+    const double up = y - block.centre[1];
+    if (std::abs(std::atan2(across, up)) <= 0.5 * std::abs(block.sweep_rad))
+      nearest = std::min(nearest, std::abs(std::hypot(across, up) - radius));
+    for (const Point& end : {start, block.end})
+      nearest = std::min(nearest, std::hypot(x - end[0], y - end[1]));
+    start = block.end;
+  }
+  return nearest;
+}
+
 TEST(Overlap, SmallArcsKeepTheTolerance) {
   // Half circles side by side, whose ends meet in cusps of 60 to 120 deg: on radii of a few
   // tolerances the legs bend away from each other within the overlap.
@@ -162,20 +178,8 @@ TEST(Overlap, SmallArcsKeepTheTolerance) {
     builder.finish();
     for (const auto& segment : builder.built()) overlaps += segment.overlap ? 1 : 0;
     for (const Sample& sample : run_path(config, builder.built())) {
-      double nearest = unlimited;  // distance to any of the circles within its sweep, or to a cusp
-      Point start{};
-      for (const PathBlock& block : blocks) {
-        const double x = sample.out.point[0].value - block.centre[0];
-        const double y = sample.out.point[1].value - block.centre[1];
-        const double half = 0.5 * std::abs(block.sweep_rad);
-        if (std::abs(std::atan2(x, y)) <= half)
-          nearest = std::min(nearest, std::abs(std::hypot(x, y) - radius));
-        for (const Point& end : {start, block.end})
-          nearest = std::min(nearest, std::hypot(sample.out.point[0].value - end[0],
-                                                 sample.out.point[1].value - end[1]));
-        start = block.end;
-      }
-      EXPECT_LE(nearest, tolerance);
+      const auto& point = sample.out.point;
+      EXPECT_LE(distance_to_arcs(blocks, radius, point[0].value, point[1].value), tolerance);
       for (std::size_t k = 0; k < 2; ++k) {
         const auto& axis = sample.out.axes[k];
         EXPECT_LE(std::abs(axis.second), channel_limits.a * (1.0 + 1e-9));

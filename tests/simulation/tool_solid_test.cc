@@ -124,6 +124,29 @@ TEST_P(ToolSolidTest, IsMetByLinesWhereItsPointsAre) {
   EXPECT_GT(met, 1000);
 }
 
+// What many places of a body on its way cover of a line, and its two ends of that alone.
+struct CoveredByPlaces {
+  double low = 1e9;
+  double high = -1e9;
+  double ends_low = 1e9;
+  double ends_high = -1e9;
+
+  CoveredByPlaces(const Body& body, const ToolPlace& begin, const Vector& way, int places, int axis,
+                  double first, double second) {
+    for (int i = 0; i <= places; ++i) {
+      const ToolPlace place{begin.tip + static_cast<double>(i) / places * way, begin.axis};
+      double from = 0.0;
+      double to = 0.0;
+      if (!BodySection(body, place, axis).meet(first, second, from, to)) continue;
+      low = std::min(low, from);
+      high = std::max(high, to);
+      if (i > 0 && i < places) continue;
+      ends_low = std::min(ends_low, from);
+      ends_high = std::max(ends_high, to);
+    }
+  }
+};
+
 // The interval of a swept body is the hull of those of many bodies on the way; the ends of the way
 // and the places between two of them are hulls of less.
 TEST_P(ToolSolidTest, SweepsWhatItCoversOnTheWay) {
@@ -150,41 +173,28 @@ TEST_P(ToolSolidTest, SweepsWhatItCoversOnTheWay) {
           Vector(normal(random), normal(random), normal(random)) * solid.radius / 2.0;
       const double first = through[(axis + 1) % 3];
       const double second = through[(axis + 2) % 3];
-      double low = 1e9;
-      double high = -1e9;
-      double ends_low = 1e9;
-      double ends_high = -1e9;
+      const CoveredByPlaces covered(body, place, way, places, axis, first, second);
       double from = 0.0;
       double to = 0.0;
-      for (int i = 0; i <= places; ++i) {
-        const BodySection there(
-            body, {place.tip + static_cast<double>(i) / places * way, place.axis}, axis);
-        if (!there.meet(first, second, from, to)) continue;
-        low = std::min(low, from);
-        high = std::max(high, to);
-        if (i > 0 && i < places) continue;
-        ends_low = std::min(ends_low, from);
-        ends_high = std::max(ends_high, to);
-      }
       const SweptSection swept(body, place, way, axis);
       const bool meets = swept.meet(first, second, from, to);
-      if (low > high) {
+      if (covered.low > covered.high) {
         // A line that only grazes the body may be found by the exact one alone.
         EXPECT_TRUE(!meets || to - from < 0.2) << trial;
         continue;
       }
       ASSERT_TRUE(meets) << trial;
-      EXPECT_LE(from, low + 1e-9) << trial;
-      EXPECT_GE(to, high - 1e-9) << trial;
+      EXPECT_LE(from, covered.low + 1e-9) << trial;
+      EXPECT_GE(to, covered.high - 1e-9) << trial;
       // Between two of the places a round flank goes on by less than half a step at the rim.
-      EXPECT_NEAR(to - from, high - low, 4.0 * way.norm() / places + 0.02) << trial;
+      EXPECT_NEAR(to - from, covered.high - covered.low, 4.0 * way.norm() / places + 0.02) << trial;
       double row_from = 0.0;
       double row_to = 0.0;
       EXPECT_TRUE(swept.row(second, row_from, row_to)) << trial;
       EXPECT_LE(row_from, first) << trial;
       EXPECT_GE(row_to, first) << trial;
       ++met;
-      if (to - from > ends_high - ends_low + 0.1) ++wider_than_both_ends;
+      if (to - from > covered.ends_high - covered.ends_low + 0.1) ++wider_than_both_ends;
     }
   }
   EXPECT_GT(met, 300);

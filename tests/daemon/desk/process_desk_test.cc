@@ -175,7 +175,7 @@ TEST_F(FiguresTest, AreThoseOfTheSimulatedCut) {
 }
 
 TEST_F(FiguresTest, WhatIsMissingIsTold) {
-  const auto code = [&](json parameters) { return figures(parameters).error().code; };
+  const auto code = [&](const json& parameters) { return figures(parameters).error().code; };
   EXPECT_EQ(code({{"file", "../cut.lcm"}, {"stock", "0:32"}}), "E9021");
   EXPECT_EQ(code({{"file", "cut.lcm"}}), "E9024");
   EXPECT_EQ(code({{"file", "cut.lcm"}, {"stock", "0:32,5:33"}}), "E9024") << "Z does not fall";
