@@ -2,6 +2,7 @@
 // dashed lines, the trigger, and two cursors.
 import { magnification } from '../style/resolved';
 import { colourOfTool } from '../geometry/tool_colours';
+import { t } from '../text/text';
 import { contextOf, fitted } from './fitted';
 import { envelope, extremesOf, lanesOf, ticks, type Extremes, type Signal } from './samples';
 
@@ -175,7 +176,7 @@ export class ScopePicture {
     for (const time of ticks(seconds(view.from), seconds(view.to - 1), count)) {
       const x = this.#x(time / view.cycle_s + view.trigger, view);
       if (x > left_px + 10 && x < this.#width - 40)
-        context.fillText(`${shortNumber(time)} s`, x, this.#height - 6);
+        context.fillText(`${shortNumber(time)} ${t('unit.s')}`, x, this.#height - 6);
     }
   }
 

@@ -1,4 +1,5 @@
 // Numbers and times as the page shows them: as wide as the largest of their column, never jumping.
+import { t } from '../text/text';
 
 const minus = '\u2212';
 
@@ -44,9 +45,9 @@ export function moment(time_s: number): string {
 }
 
 export function bytes(count: number): string {
-  if (count < 1000) return `${count} B`;
-  if (count < 1e6) return `${(count / 1e3).toFixed(1)} kB`;
-  return `${(count / 1e6).toFixed(1)} MB`;
+  if (count < 1000) return `${count} ${t('unit.b')}`;
+  if (count < 1e6) return `${(count / 1e3).toFixed(1)} ${t('unit.kb')}`;
+  return `${(count / 1e6).toFixed(1)} ${t('unit.mb')}`;
 }
 
 /** Axis words A, B and C turn. */

@@ -1,5 +1,6 @@
 // How values of the history are shown: the unit once in the head of a column, digits by what it is.
 import type { Column, ColumnName, Value } from '../rpc/history';
+import { t } from '../text/text';
 import { duration, fixed } from './format';
 
 // Parts of 1, shown in percent.
@@ -9,7 +10,7 @@ const spans: readonly ColumnName[] = ['time_s', 'use_s', 'first_s', 'last_s'];
 /** What stands behind the heading. */
 export function columnUnit(name: ColumnName): string {
   if (shares.includes(name)) return ', %';
-  return name === 'path_mm' ? ', mm' : '';
+  return name === 'path_mm' ? `, ${t('unit.mm')}` : '';
 }
 
 const two = (number: number): string => String(number).padStart(2, '0');

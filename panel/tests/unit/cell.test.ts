@@ -2,6 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { machineOf, pageOf } from '../../src/stores/cell.svelte';
 import { columnUnit, shownValue } from '../../src/stores/history_values';
+import { spoken } from '../../src/stores/spoken.svelte';
 import { takeToken } from '../../src/rpc/session';
 
 describe('the machine of a page', () => {
@@ -24,7 +25,8 @@ describe('a value of the history', () => {
   const shown = (name: 'oee' | 'time_s' | 'blocks' | 'path_mm', value: number | null): string =>
     shownValue({ name, kind: 'number' }, value);
 
-  it('has the unit of its column', () => {
+  it('has the unit of its column', async () => {
+    await spoken.speak('en');
     expect([columnUnit('oee'), columnUnit('path_mm'), columnUnit('runs')]).toEqual([
       ', %',
       ', mm',

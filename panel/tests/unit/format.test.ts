@@ -2,6 +2,7 @@
 import { expect, test } from 'vitest';
 import { kindOfMark, progressOf, stateOf } from '../../src/stores/acts';
 import { bytes, duration, fixed, isRotary, numberIn, programNumber } from '../../src/stores/format';
+import { spoken } from '../../src/stores/spoken.svelte';
 import type { Channel } from '../../src/stores/machine.svelte';
 
 test('numbers have fixed decimals, a real minus and no negative zero', () => {
@@ -27,12 +28,17 @@ test('a number in a program has no exponent', () => {
   expect(programNumber(0.1 + 0.2)).toBe('0.3');
 });
 
-test('times and sizes', () => {
+test('sizes', async () => {
+  await spoken.speak('en');
+  expect([489, 100_854, 22_200_000].map(bytes)).toEqual(['489 B', '100.9 kB', '22.2 MB']);
+  await spoken.speak('ru');
+  expect([489, 100_854, 22_200_000].map(bytes)).toEqual(['489 Б', '100.9 кБ', '22.2 МБ']);
+});
+
+test('times', () => {
   expect(duration(75)).toBe('1:15');
   expect(duration(3700)).toBe('1:01:40');
   expect(duration(-1)).toBe('0:00');
-  expect(bytes(489)).toBe('489 B');
-  expect(bytes(100_854)).toBe('100.9 kB');
 });
 
 test('A, B and C turn', () => {

@@ -50,3 +50,11 @@ test('no text stands in a component instead of the catalogue', () => {
   });
   expect(strays).toEqual([]);
 });
+
+test('units are in the catalogues, too', () => {
+  const written = /\} (?:s|ms|mm|µm|kB|MB|B|N|W|Hz|min)(?=[<`'"]|\{)/;
+  const found = sources('src').flatMap((code) =>
+    code.split('\n').filter((line) => written.test(line)),
+  );
+  expect(found).toEqual([]);
+});
