@@ -124,7 +124,8 @@ constexpr auto scope_rows = std::to_array<Method>({
      .parameters = of_logged_path,
      .help = "where a log led the tip of a channel: pages of points with their times",
      .result = R"({"file":"string","channel":"integer","system":"string",
-      "first_cycle":"integer","time_s":"number","points":"integer","pages":"integer","geometry":"any"})"},
+      "first_cycle":"integer","time_s":"number","left_out_s":"number","points":"integer",
+      "pages":"integer","geometry":"any"})"},
 });
 
 }  // namespace

@@ -91,8 +91,7 @@ class PathThinner {
     add(setpoint, place_mm);
   }
   void add(const setpoint_t& setpoint, const std::array<float, 3>& place_mm) {
-    if (path_.points.empty() && path_.last_cycle == 0) path_.first_cycle = setpoint.cycle;
-    path_.last_cycle = setpoint.cycle;
+    pass(setpoint);
     LoggedPath::Point point{.place_mm = place_mm};
     const auto cycles = static_cast<double>(setpoint.cycle - path_.first_cycle);
     point.time_ms = static_cast<std::uint32_t>(std::lround(cycles * cycle_ms_));
@@ -103,7 +102,17 @@ class PathThinner {
     if (path_.points.size() >= LogDesk::points_max) halve();
   }
 
+  // One whose place is not known.
+  void leave_out(const setpoint_t& setpoint) {
+    pass(setpoint);
+    ++path_.cycles_left_out;
+  }
+
  private:
+  void pass(const setpoint_t& setpoint) {
+    if (setpoints_++ == 0) path_.first_cycle = setpoint.cycle;
+    path_.last_cycle = setpoint.cycle;
+  }
   static bool is_news(const LoggedPath::Point& point, const LoggedPath::Point& last) {
     if (point.line != last.line) return true;
     float way = 0.0F;
@@ -123,6 +132,7 @@ class PathThinner {
   LoggedPath& path_;
   std::size_t stride_ = 1;
   std::size_t seen_ = 0;
+  std::size_t setpoints_ = 0;
 };
 
 // Where X, Y and Z stand among the words of the channel; -1: it has none.
@@ -155,7 +165,7 @@ std::optional<recording::LogError> add_places_on_part(const fs::path& log, runti
   return runtime::for_each_place(
       log, tip, [&](const setpoint_t& setpoint, const std::optional<simulation::Vector>& place) {
         if (stop.stop_requested()) throw NoLongerWanted{};
-        if (!place) return;
+        if (!place) return thinner.leave_out(setpoint);
         const Eigen::Vector3f place_mm = place->cast<float>();
         thinner.add(setpoint, {place_mm.x(), place_mm.y(), place_mm.z()});
       });
@@ -200,6 +210,7 @@ json path_page(const LoggedPath& path, std::size_t page, int cycle_us) {
           {"system", path.is_on_part ? "part" : "work"},
           {"first_cycle", path.first_cycle},
           {"time_s", cycles * cycle_us * 1e-6},
+          {"left_out_s", static_cast<double>(path.cycles_left_out) * cycle_us * 1e-6},
           {"points", path.points.size()},
           {"pages", (path.points.size() + LogDesk::page_points - 1) / LogDesk::page_points},
           {"geometry",

@@ -26,6 +26,7 @@ struct LoggedPath {
   bool is_on_part = false;  // in the part system; else in the workpiece system that was active
   std::int64_t first_cycle = 0;
   std::int64_t last_cycle = 0;
+  std::int64_t cycles_left_out = 0;  // whose places are not known
   std::vector<Point> points;
 };
 

@@ -193,6 +193,30 @@ class AtTheMachine(unittest.TestCase):
             self.assertEqual({line for _, line in path["geometry"]["lines"]} - {0, 4, 6}, {2, 3, 5})
         window.close()
 
+    def test_a_log_under_a_scheme_that_the_machine_no_longer_has(self):
+        window = self.open_window()
+        self.operator.ask("log.stop")
+        # The same machine, when its scheme had another number; 25 mm at 50 mm/s and no more than a second for its ramps.
+        before = os.path.join(self.folder, "before.toml")
+        with open(MACHINE, encoding="utf-8") as now, open(before, "w", encoding="utf-8") as file:
+            head, scheme, rest = now.read().partition("[[channel.scheme]]\n")
+            file.write(head + scheme + rest.replace("id = 1\n", "id = 7\n", 1))
+        program = os.path.join(self.folder, "way.nc")
+        with open(program, "w", encoding="utf-8") as file:
+            file.write("G21 G90 G54\nG1 X25 F3000\nM30\n")
+        log = os.path.join(self.folder, "log", "before.lcm")
+        subprocess.run([STANOK, "simulate", "--machine", before, "--log", log, program], check=True,
+                       stdout=subprocess.DEVNULL)
+        in_work = window.ask("history.path", file="before.lcm", system="work")
+        self.assertEqual(in_work["left_out_s"], 0)
+        self.assertGreater(in_work["points"], 10)
+        on_part = window.ask("history.path", file="before.lcm", system="part")
+        self.assertEqual(on_part["points"], 0)
+        self.assertEqual((on_part["first_cycle"], on_part["time_s"]), (in_work["first_cycle"], in_work["time_s"]))
+        self.assertGreater(on_part["left_out_s"], 0.5)
+        self.assertLess(abs(on_part["left_out_s"] - on_part["time_s"]), 0.02)
+        window.close()
+
     def look_at_surface(self, window, bricks, known):
         """All that has changed behind the version that is known, page by page."""
         start, version = 0, None

@@ -1376,6 +1376,7 @@ export interface Methods {
       file: string;
       first_cycle: number;
       geometry: unknown;
+      left_out_s: number;
       pages: number;
       points: number;
       system: string;

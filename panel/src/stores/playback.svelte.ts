@@ -33,6 +33,8 @@ class Playback {
   speed = $state(0);
   /** Where verifying found the first difference, or the log's end of what can be repeated. */
   stopped_s = $state<number | null>(null);
+  /** For how long the places of the log are not known. */
+  leftOut_s = $state(0);
   readonly track = new Track();
   #times: number[] = [];
   #stopTicking: (() => void) | null = null;
@@ -60,7 +62,7 @@ class Playback {
       for (let page = 0, pages = 1; page < pages; ++page) {
         const answer = await store.call('history.path', { file, channel, page, system: 'part' });
         this.#append(await frames.next(page), (answer.geometry as Geometry).lines);
-        ({ pages, time_s: this.length_s, first_cycle: first } = answer);
+        ({ pages, time_s: this.length_s, left_out_s: this.leftOut_s, first_cycle: first } = answer);
       }
     } finally {
       stop();

@@ -494,6 +494,8 @@ export const english = {
   'play.stand': 'Stand',
   'play.pace': 'Pace',
   'play.stopped': 'Verifying stopped at {time} s',
+  'play.left_out':
+    '{time} s of this log are left out: the kinematic scheme of that time is not in the machine file.',
   'topic.play':
     'The path of a log: drag the time, or let it go forward or backward. Nothing moves on the machine.',
   'path.feed': 'feed',

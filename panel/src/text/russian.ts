@@ -490,6 +490,8 @@ export const russian: Record<keyof typeof english, string> = {
   'play.stand': 'Стоп',
   'play.pace': 'Темп',
   'play.stopped': 'Проверка остановилась на {time} с',
+  'play.left_out':
+    '{time} с этого журнала пропущены: кинематической схемы того времени нет в файле станка.',
   'topic.play':
     'Траектория журнала: двигайте время или пустите его вперёд или назад. Станок при этом не движется.',
   'path.feed': 'подача',
