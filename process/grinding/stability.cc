@@ -30,6 +30,7 @@ double stability_margin(const GrindingProcess& process) {
 double wave_growth(const GrindingProcess& process) {
   constexpr double lowest = 0.2;
   constexpr double highest = 10.0;
+  constexpr int waves_max = 100'000;  // of more, neighbours grow alike: some are left out
   constexpr int rounds_max = 30;
   constexpr double settled = 1e-12;                                // of s tau
   const double k = 1000.0 * stiffness_of_thinnest_layer(process);  // N/m
@@ -37,8 +38,12 @@ double wave_growth(const GrindingProcess& process) {
   const double turn_s = revolution_s(process);
   const double natural_waves = natural * turn_s / (2.0 * std::numbers::pi);
   const double first = std::max(1.0, std::floor(lowest * natural_waves));
+  const double span = std::max(0.0, highest * natural_waves + 1.0 - first);
+  const double every = std::max(1.0, std::ceil(span / waves_max));
+  const int waves = static_cast<int>(span / every) + 1;
   double greatest = 0.0;
-  for (double n = first; n <= highest * natural_waves + 1.0; n += 1.0) {
+  for (int i = 0; i < waves; ++i) {
+    const double n = first + every * i;
     const std::complex<double> turned(0.0, 2.0 * std::numbers::pi * n);
     std::complex<double> s = turned / turn_s;
     for (int round = 0; round < rounds_max; ++round) {

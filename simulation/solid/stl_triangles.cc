@@ -102,9 +102,8 @@ class AsciiReader {
       std::string_view word = next_word();
       const std::size_t length = word.size();
       if (word.starts_with('+')) word.remove_prefix(1);
-      const char* const end = word.data() + word.size();
-      const auto [behind, error] = std::from_chars(word.data(), end, number);
-      if (error != std::errc() || behind != end) return false;
+      const auto [behind, error] = std::from_chars(word.begin(), word.end(), number);
+      if (error != std::errc() || behind != word.end()) return false;
       rest_.remove_prefix(length);
     }
     return true;
