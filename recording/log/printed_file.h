@@ -12,7 +12,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "channels/contract/output.h"
 
@@ -26,9 +25,9 @@ class PrintedFile {
  public:
   static constexpr std::int64_t size_max_default = 5'000'000;  // bytes
 
-  PrintedFile(std::filesystem::path directory, const std::string& name,
+  PrintedFile(const std::filesystem::path& directory, const std::string& name,
               std::int64_t size_max_bytes = size_max_default)
-      : file_(std::move(directory) / (name + ".txt")), size_max_bytes_(size_max_bytes) {}
+      : file_(directory / (name + ".txt")), size_max_bytes_(size_max_bytes) {}
 
   // What prints nothing is left alone.
   void take(const channels::Event& event);

@@ -121,6 +121,7 @@ class CutReading {
   [[nodiscard]] bool has_power() const { return !readings_.is_empty(); }
   CutLog end() {
     std::vector<double> speeds;
+    speeds.reserve(log_.record.rows.size());
     for (const process::CutRow& row : log_.record.rows) speeds.push_back(row.rev_per_min);
     const std::vector<double> power = readings_.by_row(first_cycle_, speeds, log_.record.cycle_s);
     for (std::size_t k = 0; k < power.size(); ++k) log_.record.rows[k].power_w = power[k];

@@ -13,6 +13,7 @@
 
 #include "recording/log/log_reader.h"
 #include "runtime/foresight/part_place.h"
+#include "simulation/workpiece_follower.h"
 
 namespace stanok::runtime {
 

@@ -26,7 +26,7 @@ PartPlace::PartPlace(const simulation::ChannelGeometry& geometry)
     : machine_(geometry), turning_axis_(geometry.turning_axis) {}
 
 simulation::Pose PartPlace::work_in_base(const channels::ChannelOutput& output) const {
-  const simulation::Pose frame = pose_of(output.work_frame);
+  simulation::Pose frame = pose_of(output.work_frame);
   if (output.point_mode == kinematics::PointMode::tip) return frame;
   return machine_.linear_axes_in(output.scheme, axes_of(output)) * frame;
 }
