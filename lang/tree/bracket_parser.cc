@@ -111,13 +111,14 @@ MaybeExpression BracketParser::parse_unsigned_value() {
   return number;
 }
 
-// #5, #<name>, ##5, #[...]
+// #5, #<name>, ##5, #[...]; blanks behind the sign say nothing, as between all words.
 MaybeExpression BracketParser::parse_parameter_reference() {
   TokenCursor::Nesting nesting(cursor_);
   if (!nesting.allowed()) return std::nullopt;
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
   scanner_.advance(1);
+  scanner_.skip_blanks(LineEnds::significant);
   Expression parameter;
   if (scanner_.character() == '<') {
     scanner_.advance(1);
