@@ -41,6 +41,8 @@ constexpr std::string_view angle_words = "ABC";
 // Folded, without the number that may follow directly: `#1EQ0`.
 std::string operator_name(const Token& token) {
   std::string name = folded(token.text);
+  // Brackets have no `++` and `--`: the second sign is that of the operand.
+  if (name == "++" || name == "--") name.pop_back();
   if (token.kind != TokenKind::name) return name;
   return name.substr(0, name.find_first_of("0123456789"));
 }
