@@ -29,6 +29,15 @@ int characters(std::string_view text) {
   return static_cast<int>(character_count(text));
 }
 
+// Where the parenthesis at `at` is closed, those inside it counted; npos: it is not.
+std::size_t closing_parenthesis(std::string_view text, std::size_t at) {
+  for (int open = 0; at < text.size(); ++at) {
+    if (text[at] == '(') ++open;
+    if (text[at] == ')' && --open == 0) return at;
+  }
+  return std::string_view::npos;
+}
+
 // Behind lines with nothing but blanks and one comment in parentheses or behind `;`.
 std::size_t behind_comment_lines(std::string_view text, std::size_t at) {
   while (at < text.size()) {
@@ -38,7 +47,7 @@ std::size_t behind_comment_lines(std::string_view text, std::size_t at) {
     std::size_t last = end;
     while (last > first && is_blank(text[last - 1])) --last;
     const bool in_parentheses =
-        last > first && text[first] == '(' && text.find(')', first) == last - 1;
+        last > first && text[first] == '(' && closing_parenthesis(text, first) == last - 1;
     const bool is_comment = first == last || text[first] == ';' || in_parentheses;
     if (!is_comment) return first;
     at = after_line_end(text, end);

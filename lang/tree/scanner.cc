@@ -109,11 +109,15 @@ void Scanner::check_comment(std::size_t start, std::uint32_t line) {
   reporter_.warning("W110", {at, length, line}, "the text is not valid UTF-8", "shown as U+FFFD");
 }
 
+// In the dialects of Fanuc a comment goes on to the parenthesis that closes the first one.
 std::optional<std::string_view> Scanner::read_parenthesis_comment() {
   const Span opening = here();
   const std::size_t start = ++offset_;
-  while (!at_line_end() && character() != ')' && character() != '(') ++offset_;
-  if (character() == '(' && !at_end()) {
+  for (int inner = 0; !at_line_end() && (character() != ')' || inner > 0); ++offset_) {
+    if (character() == ')') --inner;
+    if (character() != '(') continue;
+    ++inner;
+    if (source_.rules().is_fanuc()) continue;
     reporter_.error("E1008", here(), "a comment in parentheses holds no `(`", "nested comment");
     return std::nullopt;
   }
