@@ -16,17 +16,18 @@ std::optional<int> signal(ActiveBlock& block, CodeNumber code, char letter, int 
   return std::nullopt;
 }
 
-// M59 P1104 and M59 P12004 of Haas: output 4, by the variable that has it.
+// M59 P4, M59 P1104 and M59 P12004 of Haas: output 4, by its number or the variable that has it.
 std::optional<int> output_by_variable(ActiveBlock& block, CodeNumber code) {
   constexpr int first_old = 1100;
   constexpr int last_old = 1131;
   constexpr int first = 12000;
   const auto number = signal(block, code, 'P', first + digital_max);
   if (!number) return std::nullopt;
+  if (*number <= digital_max) return *number;
   if (*number >= first_old && *number <= last_old) return *number - first_old;
   if (*number >= first) return *number - first;
-  block.fail("E4008", {'P', -1, {}}, "`P` must be the variable of an output",
-             "1100 to 1131, or 12000 to 12063");
+  block.fail("E4008", {'P', -1, {}}, "`P` must be an output or its variable",
+             "0 to 63, 1100 to 1131, or 12000 to 12063");
   return std::nullopt;
 }
 
