@@ -10,6 +10,8 @@
 //
 //   new wear = wear + (where it touched - the place), X of a lathe as a radius
 //
+// M78 and M79 of Haas are alarms when the last of them touched something, or nothing.
+//
 // Source: Fanuc operator's manuals B-64304EN-2, "Automatic tool length measurement (G37)", and
 // B-64304EN-1, "Automatic tool offset (G36, G37)": the offset that changes is that of the wear, and
 // a touch outside of the range is an alarm, by which nothing is written.
@@ -155,6 +157,28 @@ void probe(ActiveBlock& block, CodeNumber code) {
   result.kind = RequestKind::probe_result;
   result.statement = move.alarm_when_missed;
   block.queue.emit(result);
+}
+
+// In two parts: in the block of the probing move itself the answer comes when the axes stand. It
+// may stand in a later block, too (Haas mill operator's manual, M78 and M79).
+void check_skip(ActiveBlock& block, CodeNumber code) {
+  if (block.done.parts == 0) {
+    block.done.parts = 1;
+    block.awaits_position = true;
+    --block.done.actions;
+    return;
+  }
+  const bool wanted = code == m(79);
+  if (block.probe.rehearsed || block.probe.found == wanted) return;
+  const WordName word = {'M', code, {}};
+  if (wanted) {
+    block.fail("E4320", word, "the probe touched nothing", "alarm when the skip found nothing");
+  } else {
+    block
+        .fail("E4324", word, "the probe touched where nothing should be",
+              "alarm when the skip found something")
+        .help.emplace_back("check what is in the way, and the length of the probe");
+  }
 }
 
 // In two parts: where the tool touched is known when the axes stand.

@@ -126,12 +126,18 @@ const Code* back_bore() {
   return &made;
 }
 
-// M59 and M69 of Haas switch an output by the number of its variable, M76 and M77 the display, M130
-// shows a file: the latter two say nothing here. Source: Haas operator's manuals.
+// M59 and M69 of Haas switch an output by its number or that of its variable, M76 and M77 the
+// display, M130 shows a file: the latter two say nothing here. M78 and M79 are alarms when the last
+// skip had a signal, or had none. Source: Haas operator's manuals.
 constexpr Code function_of_haas(CodeNumber number, std::string_view words, CodeAction action,
                                 std::string_view title) {
   Code code = dialect_row(number, Group::none, EffectOrder::functions_before, words, action, title);
   code.letter = 'M';
+  return code;
+}
+constexpr Code alarm_of_skip(CodeNumber number, std::string_view title) {
+  Code code = function_of_haas(number, "", CodeAction::check_skip, title);
+  code.order = EffectOrder::functions_after;
   return code;
 }
 constexpr auto functions_of_haas = std::to_array<Code>(
@@ -139,6 +145,8 @@ constexpr auto functions_of_haas = std::to_array<Code>(
      function_of_haas(m_code(69), "P", CodeAction::switch_output, "output off"),
      function_of_haas(m_code(76), "", CodeAction::only_modal, "display off"),
      function_of_haas(m_code(77), "", CodeAction::only_modal, "display on"),
+     alarm_of_skip(m_code(78), "alarm when the skip found something"),
+     alarm_of_skip(m_code(79), "alarm when the skip found nothing"),
      function_of_haas(m_code(130), "", CodeAction::only_modal, "picture on the display")});
 
 // Other numbers of codes: those of Fanuc lathes (B-64304EN-1, table 3.1), and a tool change of

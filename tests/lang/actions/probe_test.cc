@@ -56,6 +56,20 @@ TEST_F(Probing, WithoutContactIsAnErrorOnlyWhereItIsAsked) {
   }
 }
 
+// Haas mill operator's manual, M78 and M79: in the block of the skip or in any later one.
+TEST_F(Probing, TellsOfHaasWhetherItsResultIsAnAlarm) {
+  find_nothing();
+  EXPECT_EQ(error_code("(dialect haas)\nM79 G31 X5 F50\nM30\n"), "E4320");
+  EXPECT_EQ(error_code("(dialect haas)\nG31 X5 F50\nG0 X0\nM79\nM30\n"), "E4320");
+  EXPECT_EQ(error.place.line, 4);
+  EXPECT_EQ(error_code("(dialect haas)\nM78 G31 X5 F50\nM78\nM30\n"), "");
+  find_at_a_point();
+  EXPECT_EQ(error_code("(dialect haas)\nM78 G31 X5 F50\nM30\n"), "E4324");
+  EXPECT_EQ(error_code("(dialect haas)\nG31 X5 F50\nG0 X0\nM78\nM30\n"), "E4324");
+  EXPECT_EQ(error_code("(dialect haas)\nM79 G31 X5 F50\nM79\nM30\n"), "");
+  EXPECT_EQ(error_code("(dialect fanuc)\nM79 G31 X5 F50\nM30\n"), "E4004");
+}
+
 // G31 is of its block alone: the motion before goes on.
 TEST_F(Probing, OfOneBlockLeavesTheMotionAsItWas) {
   find_at_a_point();
