@@ -103,9 +103,13 @@ void cut_pass(CycleMoves& moves, const Thread& thread, TurningPoint start, doubl
   if (exit > 0.0)
     moves.thread(at(z_end - along * exit, depth), thread.lead, thread.spindle,
                  thread.start_angle_deg);
-  moves.thread(at(z_end, exit > 0.0 ? 0.0 : depth), thread.lead, thread.spindle,
-               thread.start_angle_deg);
-  moves.rapid({start.x, z_end});
+  if (exit > 0.0) {
+    moves.thread(at(z_end, 0.0), thread.lead, thread.spindle, thread.start_angle_deg);
+    moves.rapid({start.x, z_end});
+  } else {
+    moves.thread_and_out(at(z_end, depth), start.x, thread.lead, thread.spindle,
+                         thread.start_angle_deg);
+  }
   moves.rapid(start);
 }
 
@@ -241,6 +245,10 @@ void cut_in_one_block(ActiveBlock& block, CycleMoves& moves, Thread thread) {
 }
 
 }  // namespace
+
+void switch_thread_chamfer(ActiveBlock& block, CodeNumber code) {
+  block.modal.switches.thread_chamfer = code == m(23);
+}
 
 void cut_thread_in_passes(ActiveBlock& block, CodeNumber code) {
   auto moves = CycleMoves::of(block, code);

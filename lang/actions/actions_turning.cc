@@ -70,8 +70,7 @@ void turn_once(ActiveBlock& block, CodeNumber code) {
   }
   moves->rapid({cycle.x + cycle.taper, start.z});
   if (code == g(78)) {
-    moves->thread({cycle.x, cycle.z}, cycle.lead, *spindle);
-    moves->rapid({start.x, cycle.z});
+    moves->thread_and_out({cycle.x, cycle.z}, start.x, cycle.lead, *spindle);
   } else {
     moves->feed({cycle.x, cycle.z});
     moves->feed({start.x, cycle.z});

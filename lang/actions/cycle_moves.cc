@@ -86,6 +86,23 @@ void CycleMoves::thread(TurningPoint end, double lead_mm, int spindle, double st
   block_.queue.emit(move);
 }
 
+// Source: Haas lathe operator's manual, M23 (in force at power-up), settings 95 and 96 as
+// delivered.
+void CycleMoves::thread_and_out(TurningPoint end, double clear_x, double lead_mm, int spindle,
+                                double start_angle_deg) {
+  const TurningPoint start = position();
+  const double way = end.z - start.z;
+  if (block_.words.rules.is_haas() && block_.modal.switches.thread_chamfer && way != 0.0) {
+    const double chamfer = std::min(lead_mm, std::abs(way));
+    const double x = end.x - (end.x - start.x) * chamfer / std::abs(way);
+    const double rise = std::min(chamfer, std::abs(clear_x - x));
+    thread({x, end.z - std::copysign(chamfer, way)}, lead_mm, spindle, start_angle_deg);
+    end = {x + std::copysign(rise, clear_x - x), end.z - std::copysign(chamfer - rise, way)};
+  }
+  thread(end, lead_mm, spindle, start_angle_deg);
+  rapid({clear_x, end.z});
+}
+
 void fail_contour(ActiveBlock& block, CodeNumber code, const std::string& why) {
   block.fail("E4068", {'G', code, {}}, "the contour cannot be used: " + why, "");
 }

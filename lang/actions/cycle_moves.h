@@ -38,6 +38,10 @@ class CycleMoves {
   void arc(const TurningArc& arc);
   // With the lead along the axis that travels farther, from the angle of the block's first pass.
   void thread(TurningPoint end, double lead_mm, int spindle, double start_angle_deg = 0.0);
+  // The same, and out of the thread to `clear_x`: at rapid, behind M23 of Haas over a chamfer of
+  // one lead at 45 degrees.
+  void thread_and_out(TurningPoint end, double clear_x, double lead_mm, int spindle,
+                      double start_angle_deg = 0.0);
 
  private:
   CycleMoves(ActiveBlock& block, AxisIndex x, AxisIndex z) : block_(block), x_(x), z_(z) {}

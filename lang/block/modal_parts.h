@@ -177,6 +177,7 @@ struct ModalSwitches {
   bool spindle_override = true;
   bool adaptive_feed = false;  // M52
   bool feed_stop = true;       // M53
+  bool thread_chamfer = true;  // M23 and M24 of Haas lathes: their cycles run out of a thread
 };
 
 // Whether the programmed point of this code of tool length is the tip, wherever the tool leans.

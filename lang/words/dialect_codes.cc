@@ -149,11 +149,23 @@ constexpr auto functions_of_haas = std::to_array<Code>(
      alarm_of_skip(m_code(79), "alarm when the skip found nothing"),
      function_of_haas(m_code(130), "", CodeAction::only_modal, "picture on the display")});
 
+// M23 and M24 of Haas lathes: how threads end. On mills they are the builder's.
+constexpr auto chamfers_of_threads = std::to_array<Code>(
+    {function_of_haas(m_code(23), "", CodeAction::switch_thread_chamfer, "threads run out"),
+     function_of_haas(m_code(24), "", CodeAction::switch_thread_chamfer, "threads end straight")});
+const Code* chamfer_of_threads(CodeNumber number, const ChannelKind* kind) {
+  if (kind == nullptr || *kind != ChannelKind::lathe) return nullptr;
+  const auto* const found = std::ranges::find(chamfers_of_threads, number, &Code::number);
+  return found == chamfers_of_threads.end() ? nullptr : found;
+}
+
 // Other numbers of codes: those of Fanuc lathes (B-64304EN-1, table 3.1), and a tool change of
 // Haas.
-const Code* called_otherwise(char letter, CodeNumber number, const TextRules& rules) {
+const Code* called_otherwise(char letter, CodeNumber number, const TextRules& rules,
+                             const ChannelKind* kind) {
   if (letter == 'M') {
     if (!rules.is_haas()) return nullptr;
+    if (const Code* const chamfer = chamfer_of_threads(number, kind)) return chamfer;
     if (number == m_code(16)) return find_code('M', m_code(6));
     const auto* const found = std::ranges::find(functions_of_haas, number, &Code::number);
     return found == functions_of_haas.end() ? nullptr : found;
@@ -203,7 +215,7 @@ const Code* code_of_dialect(char letter, CodeNumber number, const BlockWords& wo
   }
   if (letter == 'G' && rules.is_linuxcnc()) return code_of_linuxcnc(number, kind);
   if (!rules.is_fanuc()) return nullptr;
-  if (const Code* const other = called_otherwise(letter, number, rules)) return other;
+  if (const Code* const other = called_otherwise(letter, number, rules, kind)) return other;
   if (letter != 'G') return nullptr;
   if (number == g_code(8) && words.has('P')) return &look_ahead_by_p;
   if (number == g_code(23)) return &zones_off;

@@ -25,6 +25,7 @@ G70 P10 Q20 U0.2 W0. D0.01
 ; expect: line Z-10 F100
 ; expect: rapid X20
 ; expect: rapid Z5
+M24
 G76 X38. Z-5. K1. D1. F1.5 Q60000
 ; expect: rapid X19
 ; expect: thread Z-5 lead 1.5 angle 60

@@ -18,6 +18,7 @@ G94 X30. Z-1. K-2.
 ; expect: line X15 Z-1 F100
 ; expect: line Z2 F100
 ; expect: rapid X20
+M24
 G92 X38. Z-5. I-0.5 F1.5
 ; expect: rapid X18.5
 ; expect: thread X19 Z-5 lead 1.503821662
