@@ -117,6 +117,7 @@ constexpr auto modals_of_lathes = std::to_array<ModalNumber>({
     {4006, Group::units},
     {4007, Group::radius_compensation},
     {4014, Group::work_offset},
+    {4015, Group::path_mode},
     {4016, Group::plane},
 });
 // Where Haas numbers its groups otherwise. Source: Haas operator's manuals, lists of G codes with
