@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "lang/text/source.h"
 #include "lang/words/law_address.h"
@@ -15,6 +16,11 @@ namespace {
 // M100 to M899 belong to the machine builder.
 constexpr int output_first = m(100);
 constexpr int output_last = m(899);
+
+// Ranges of codes that only LinuxCNC has. On other controls they are the builder's (M51 to M58 and
+// M61 to M68 of Haas: optional user M codes): a machine file may give them a meaning, too.
+constexpr auto left_to_builders =
+    std::to_array<std::pair<int, int>>({{m(50), m(53)}, {m(61), m(68)}, {m(70), m(73)}});
 
 // Of digital outputs and inputs, and of the time for a feedback.
 constexpr double signals_max = 63.0;
@@ -78,9 +84,20 @@ bool read_code_name(std::string_view name, UserCode& code) {
   return at == end;
 }
 
+bool may_be_output(const UserCode& code) {
+  if (code.letter != 'M' || code.number > output_last || code.number % 10 != 0) return false;
+  if (code.number >= output_first) return true;
+  const bool left = std::ranges::any_of(left_to_builders, [&](const auto& range) {
+    return code.number >= range.first && code.number <= range.second;
+  });
+  return left || find_code('M', static_cast<CodeNumber>(code.number)) == nullptr;
+}
+
 std::string no_output(const std::string& name) {
   return "'" + name +
-         "' is no output; M100 to M899 can be one, and below the codes that have no meaning";
+         "' is no output; M100 to M899 can be one, M50 to M53, M61 to M68, M70 to M73, and below "
+         "M100 "
+         "the codes that have no meaning";
 }
 
 // "output 4 on, input 7 within 2 s"; false: it is not that.
@@ -179,9 +196,7 @@ Expected<UserCode, std::string> read_user_code(std::string_view code, std::strin
   if (is_fixed(made.letter, made.number)) {
     return tl::unexpected("'" + name + "' cannot be given another meaning; use a free code");
   }
-  const bool ours = made.letter == 'M' && made.number <= output_last && made.number % 10 == 0 &&
-                    (made.number >= output_first ||
-                     find_code('M', static_cast<CodeNumber>(made.number)) == nullptr);
+  const bool ours = may_be_output(made);
   if (meaning.starts_with("output ")) {
     if (!ours) return tl::unexpected(no_output(name));
     if (read_switched_output(meaning, made)) return made;

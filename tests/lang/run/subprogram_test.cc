@@ -36,6 +36,26 @@ TEST_F(Subprograms, SwitchAnOutputThatHasACodeAndWaitForItsFeedback) {
   EXPECT_EQ(requests[0].seconds, 2.5);
 }
 
+// M51 to M58 and M61 to M68 of Haas are the user's (mill operator's manual), M70 to M73 the
+// builder's on most controls.
+TEST_F(Subprograms, MaySwitchOutputsWithCodesThatOnlyLinuxcncHas) {
+  map("M51", "output 4 on");
+  map("M61", "output 4 off");
+  map("M72", "output 5 on");
+  for (const char* const first : {"", "(dialect haas)\n", "(dialect fanuc)\n"}) {
+    run(std::string(first) + "M51\nM61\nM72\nM30\n");
+    EXPECT_EQ(error.code, "") << first;
+    const auto outputs = all<OutputCommand>();
+    ASSERT_EQ(outputs.size(), 3u) << first;
+    EXPECT_EQ(outputs[0].number, 4);
+    EXPECT_EQ(outputs[0].value, 1.0);
+    EXPECT_EQ(outputs[1].value, 0.0);
+    EXPECT_EQ(outputs[2].number, 5);
+  }
+  EXPECT_FALSE(read_user_code("M60", "output 4 on"));
+  EXPECT_FALSE(read_user_code("M69.1", "output 4 on"));
+}
+
 TEST_F(Subprograms, EndWhereTheFeedbackOfAnOutputDoesNotCome) {
   map("M10", "output 4 off, input 7 within 2 s");
   answering = [](const Request& request) {
