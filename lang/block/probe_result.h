@@ -1,6 +1,8 @@
 // What the last probing of a channel (G38) found; kept from program to program, until power-off.
 #pragma once
 
+#include <array>
+
 #include "lang/contract/command.h"
 
 namespace stanok::lang {
@@ -9,7 +11,8 @@ namespace stanok::lang {
 struct ProbeResult {
   bool found = false;
   AxisValues position{};
-  bool rehearsed = false;  // no probe was there
+  bool rehearsed = false;                  // no probe was there
+  std::array<double, 3> tool_length_mm{};  // in force then, along X, Y, Z
 };
 
 }  // namespace stanok::lang

@@ -272,6 +272,7 @@ void BlockRunner::take_probe_answer(const Answer& answer) {
   const ModalState& modal = state_.modal;
   state_.probe.found = answer.ok;
   state_.probe.rehearsed = answer.rehearsed;
+  state_.probe.tool_length_mm = modal.tool.length.offset_mm;
   state_.probe.position = modal.frame().work_from_base(answer.probe_B);
   for (std::size_t i = 0; i < state_.channel.axes.size(); ++i) {
     double& coordinate = state_.probe.position[i];

@@ -175,7 +175,7 @@ void MacroRequests::write_table(const MachineVariable& variable, double value) {
 }
 
 void MacroRequests::finish_position() {
-  vm_.stack().push(value_of(programmed_position(state_.around, position_axis_)));
+  vm_.stack().push(value_of(position_with_tool(state_.around, position_axis_)));
 }
 
 void MacroRequests::finish_timer(const Answer& answer) {

@@ -18,6 +18,11 @@ namespace stanok::lang {
 [[nodiscard]] std::optional<double> system_variable(int number, const ParameterView& view,
                                                     const TextRules& rules);
 
+// #5041 and on: where the axes stand in the workpiece, with the tool length in force included,
+// which is what makes #5043 more than #5003. So are #5061 and on. Source: Fanuc B-64304EN, 16.2,
+// table of position information, "tool compensation value".
+[[nodiscard]] double position_with_tool(const BlockSurroundings& around, AxisIndex axis);
+
 // A variable for which the machine is asked, or which acts when it is set.
 struct MachineVariable {
   enum class Kind : std::uint8_t {
