@@ -128,6 +128,20 @@ void correct_wear(ActiveBlock& block, std::size_t geometry) {
              tool.length_edge);
 }
 
+// G31 over no way, or over less than a probe can change in. It is no error on Fanuc and Haas
+// controls: macros go by the centre offset of their stylus, which may be 0. Nothing is found.
+void go_without_probing(ActiveBlock& block, Move& line, double travel) {
+  resolve_feed(block, line);
+  if (block.failed()) return;
+  advance_position(block, line);
+  if (travel > position_noise) block.queue.emit(line);
+  const ModalState& modal = block.modal;
+  block.probe = {};
+  block.probe.tool_length_mm = modal.tool.length.offset_mm;
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i)
+    block.probe.position[i] = modal.map.to_program(i, modal.position_W[i]);
+}
+
 }  // namespace
 
 void probe(ActiveBlock& block, CodeNumber code) {
@@ -144,7 +158,10 @@ void probe(ActiveBlock& block, CodeNumber code) {
   move.until_contact = code == g(31) || code == g(38, 2) || code == g(38, 3);
   move.alarm_when_missed = code == g(38, 2) || code == g(38, 4);
   resolve_ends(block, move.line);
-  if (longest_travel(block.modal.position_W, move.line.end) < probing_travel_min) {
+  const double travel = longest_travel(block.modal.position_W, move.line.end);
+  if (travel < probing_travel_min) {
+    if (code == g(31) && block.words.rules.is_fanuc())
+      return go_without_probing(block, move.line, travel);
     block.fail("E4321", {'G', code, {}}, "a probing move needs a length",
                "the end is where the axes stand");
     return;
