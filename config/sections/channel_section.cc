@@ -100,7 +100,7 @@ const Keys<ChannelFile>& channel_keys() {
        "G and M codes of the user: the program they call (G200 = \"cycles/groove.nc\", G201 = "
        "\"lib.nc:slot\" for a function of it), or M100 to M899 as output before, after or "
        "with_motion (M120 = \"before wait\"), or a digital output and its feedback (M11 = "
-       "\"output 4 on, input 7 within 2 s\"), these also M50 to M53, M61 to M68, M70 to M73 and "
+       "\"output 4 on, input 7 within 2 s\"), these also M50 to M53, M61 to M68, M70 to M72 and "
        "below M100 where the code is free"},
   };
   return keys;

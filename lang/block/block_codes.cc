@@ -49,7 +49,8 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   // What the machine file says of a code goes before what a dialect has.
   const Code* row = dialect.output(letter, number);
   if (row == nullptr) row = code_of_dialect(letter, number, words, kind);
-  if (row == nullptr) row = find_code(letter, number);
+  if (row == nullptr && !(words.rules.is_fanuc() && is_left_to_builders(letter, number)))
+    row = find_code(letter, number);
   const auto name = [letter, number] { return code_text(letter, number); };
   const WordName word{letter, number, {}};
   if (row == nullptr) {

@@ -4,9 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "lang/text/source.h"
+#include "lang/words/dialect_codes.h"
 #include "lang/words/law_address.h"
 #include "lang/words/named_address.h"
 
@@ -16,11 +16,6 @@ namespace {
 // M100 to M899 belong to the machine builder.
 constexpr int output_first = m(100);
 constexpr int output_last = m(899);
-
-// Ranges of codes that only LinuxCNC has. On other controls they are the builder's (M51 to M58 and
-// M61 to M68 of Haas: optional user M codes): a machine file may give them a meaning, too.
-constexpr auto left_to_builders =
-    std::to_array<std::pair<int, int>>({{m(50), m(53)}, {m(61), m(68)}, {m(70), m(73)}});
 
 // Of digital outputs and inputs, and of the time for a feedback.
 constexpr double signals_max = 63.0;
@@ -87,17 +82,14 @@ bool read_code_name(std::string_view name, UserCode& code) {
 bool may_be_output(const UserCode& code) {
   if (code.letter != 'M' || code.number > output_last || code.number % 10 != 0) return false;
   if (code.number >= output_first) return true;
-  const bool left = std::ranges::any_of(left_to_builders, [&](const auto& range) {
-    return code.number >= range.first && code.number <= range.second;
-  });
-  return left || find_code('M', static_cast<CodeNumber>(code.number)) == nullptr;
+  const auto number = static_cast<CodeNumber>(code.number);
+  return is_left_to_builders('M', number) || find_code('M', number) == nullptr;
 }
 
 std::string no_output(const std::string& name) {
   return "'" + name +
-         "' is no output; M100 to M899 can be one, M50 to M53, M61 to M68, M70 to M73, and below "
-         "M100 "
-         "the codes that have no meaning";
+         "' is no output; M100 to M899 can be one, M50 to M53, M61 to M68, M70 to M72, and below "
+         "M100 the codes that have no meaning";
 }
 
 // "output 4 on, input 7 within 2 s"; false: it is not that.

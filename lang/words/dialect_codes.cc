@@ -203,6 +203,18 @@ const Code* code_of_haas(CodeNumber number, const ChannelKind* kind) {
 
 }  // namespace
 
+bool is_left_to_builders(char letter, CodeNumber number) {
+  struct Range {
+    CodeNumber first;
+    CodeNumber last;
+  };
+  constexpr auto ranges = std::to_array<Range>(
+      {{m_code(50), m_code(53)}, {m_code(61), m_code(68)}, {m_code(70), m_code(72)}});
+  return letter == 'M' && std::ranges::any_of(ranges, [number](const Range& range) {
+           return number >= range.first && number <= range.last;
+         });
+}
+
 const Code* code_of_dialect(char letter, CodeNumber number, const BlockWords& words,
                             const ChannelKind* kind) {
   const TextRules& rules = words.rules;

@@ -119,6 +119,7 @@ std::vector<std::string> WorkpieceStream::files_of_program() const {
 
 std::vector<ChannelFeed*> WorkpieceStream::feeds() {
   std::vector<ChannelFeed*> feeds;
+  feeds.reserve(channels_.size());
   for (auto& [id, channel] : channels_) feeds.push_back(channel.feed.get());
   return feeds;
 }

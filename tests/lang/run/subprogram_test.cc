@@ -36,7 +36,7 @@ TEST_F(Subprograms, SwitchAnOutputThatHasACodeAndWaitForItsFeedback) {
   EXPECT_EQ(requests[0].seconds, 2.5);
 }
 
-// M51 to M58 and M61 to M68 of Haas are the user's (mill operator's manual), M70 to M73 the
+// M51 to M58 and M61 to M68 of Haas are the user's (mill operator's manual), M70 to M72 the
 // builder's on most controls.
 TEST_F(Subprograms, MaySwitchOutputsWithCodesThatOnlyLinuxcncHas) {
   map("M51", "output 4 on");
