@@ -111,9 +111,11 @@ PathFeed::Refusal PathFeed::dispatch(const lang::Command& command, Taken& taken)
 // The state for the motion behind it comes first.
 void PathFeed::take_plain(const lang::Command& command, const ItemContent& content) {
   const auto* spindle = std::get_if<lang::SpindleCommand>(&content);
+  const auto* mode = std::get_if<lang::CuttingSpeedMode>(&content);
+  if (spindle != nullptr || mode != nullptr) take_state(command);
   if (spindle != nullptr) threads_.take_spindle(*spindle);
-  if (spindle != nullptr || std::holds_alternative<lang::CuttingSpeedMode>(content))
-    take_state(command);
+  if (mode != nullptr)
+    threads_.take_cutting_speed(*mode, blocks_.position_W(), blocks_.geometry()[0]);
   give({.tag = tag_of(command), .content = content});
 }
 

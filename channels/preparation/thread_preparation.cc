@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 
 #include "base/units.h"
@@ -22,6 +23,14 @@ std::string short_number(double value) {
 // In rev/min, rounded down: what is named as the highest speed is one that can be used.
 std::string speed_text(double turns_per_s) {
   return short_number(std::floor(turns_per_s * seconds_per_minute));
+}
+
+// On the way from one point to another, mm; `x` below 0: there is no diameter.
+double smallest_diameter(const motion::Point& start, const motion::Point& end, int x) {
+  if (x < 0) return 0.0;
+  const double from = start[static_cast<std::size_t>(x)];
+  const double to = end[static_cast<std::size_t>(x)];
+  return from * to < 0.0 ? 0.0 : 2.0 * std::min(std::abs(from), std::abs(to));
 }
 
 Diagnostic fault(const char* code, std::string message, std::string help) {
@@ -51,12 +60,36 @@ std::size_t ThreadPreparation::index_of(int spindle) const {
   return 0;
 }
 
+// As the spindle does (Spindle::follow_diameter and target), without an override.
+double ThreadPreparation::ThreadSpindle::speed_at(double diameter_mm) const {
+  if (cutting_m_per_min <= 0.0) return rev_per_min;
+  constexpr double mm_per_m = 1000.0;
+  const double limit =
+      limit_rev_per_min > 0.0 ? std::min(limit_rev_per_min, config.speed_max) : config.speed_max;
+  const double wanted = mm_per_m * cutting_m_per_min / (std::numbers::pi * diameter_mm);
+  return std::max(config.speed_min, std::min(wanted, limit));
+}
+
+void ThreadPreparation::take_cutting_speed(const lang::CuttingSpeedMode& mode,
+                                           const motion::Point& position, int x) {
+  const double diameter_mm = smallest_diameter(position, position, x);
+  for (std::size_t k = 0; k < spindles_.size(); ++k) {
+    ThreadSpindle& spindle = spindles_[k];
+    if (mode.spindle >= 0 && index_of(mode.spindle) != k) continue;
+    if (!mode.constant) spindle.rev_per_min = spindle.speed_at(diameter_mm);
+    spindle.cutting_m_per_min = mode.constant ? mode.speed_m_per_min : 0.0;
+    spindle.limit_rev_per_min = mode.constant ? mode.limit_rev_per_min : 0.0;
+  }
+}
+
 void ThreadPreparation::take_spindle(const lang::SpindleCommand& command) {
   for (std::size_t k = 0; k < spindles_.size(); ++k) {
     const bool is_meant = command.spindle < 0 || index_of(command.spindle) == k;
     const bool turns = command.action != lang::SpindleAction::stop &&
                        command.action != lang::SpindleAction::orient;
-    if (is_meant && turns) spindles_[k].rev_per_min = command.speed_rev_per_min;
+    if (!is_meant) continue;
+    spindles_[k].cutting_m_per_min = command.cutting_speed_m_per_min;
+    if (turns) spindles_[k].rev_per_min = command.speed_rev_per_min;
   }
 }
 
@@ -93,7 +126,10 @@ std::optional<Diagnostic> ThreadPreparation::add(const lang::SynchronousMove& mo
                                                  const std::array<int, 3>& geometry) {
   if (auto refused = refusal(move)) return refused;
   const bool is_tap = move.kind == lang::SynchronousMove::Kind::rigid_tap;
+  const double rev_per_min =
+      spindles_[index_of(move.spindle)].speed_at(smallest_diameter(start, line.end, geometry[0]));
   if (is_empty()) {
+    rev_per_min_ = rev_per_min;
     is_tap_ = is_tap;
     spindle_ = index_of(move.spindle);
     start_angle_deg_ = move.start_angle_deg;
@@ -106,9 +142,13 @@ std::optional<Diagnostic> ThreadPreparation::add(const lang::SynchronousMove& mo
     coupling.return_speed_factor = move.return_speed_factor;
     coupling.dwell_s = move.dwell_s;
     const double fastest = is_tap ? std::max(1.0, move.return_speed_factor) : 1.0;
-    builder_.begin(start, geometry, coupling,
-                   fastest * spindles_[spindle_].rev_per_min / seconds_per_minute,
+    builder_.begin(start, geometry, coupling, fastest * rev_per_min / seconds_per_minute,
                    motion::jerk_to_follow(spindles_[spindle_].config.encoder_pulses, cycle_s_));
+  }
+  if (rev_per_min > rev_per_min_) {
+    rev_per_min_ = rev_per_min;
+    if (const auto fault = builder_.turn_faster(rev_per_min / seconds_per_minute))
+      return diagnostic_of(*fault);
   }
   motion::ThreadBlock block;
   block.tag = line.tag;
@@ -125,7 +165,8 @@ std::optional<Diagnostic> ThreadPreparation::add(const lang::SynchronousMove& mo
 
 Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) const {
   using Kind = motion::ThreadFault::Kind;
-  const std::string speed = short_number(spindles_[spindle_].rev_per_min) + " rev/min";
+  const std::string speed = short_number(rev_per_min_) + " rev/min";
+  const std::string by_itself = spindles_[spindle_].cutting_m_per_min > 0.0 ? " of G97" : "";
   switch (found.kind) {
     case Kind::unreachable:
       return unreachable_pose({{}, found.axis, found.value, found.limit}, channel_);
@@ -134,13 +175,13 @@ Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) co
                    "axis " + axis_word(channel_, found.axis) + " would need " +
                        short_number(found.value) + " mm/s at " + speed +
                        ", its limit on a thread is " + short_number(found.limit),
-                   "turn the spindle with at most S" + speed_text(found.speed_max) +
+                   "turn the spindle with at most S" + speed_text(found.speed_max) + by_itself +
                        ", or cut a smaller lead");
     case Kind::corner_too_sharp:
       return fault(
           "E5303",
           "the corner before this block of the thread is too sharp for the axes at " + speed,
-          "turn the spindle with at most S" + speed_text(found.speed_max) +
+          "turn the spindle with at most S" + speed_text(found.speed_max) + by_itself +
               ", or allow a larger tolerance with G64 P");
     case Kind::encoder_too_coarse: {
       const SpindleConfig& spindle = spindles_[spindle_].config;

@@ -29,6 +29,8 @@ class ThreadPreparation {
 
   // Speeds of spindles, for all threads behind.
   void take_spindle(const lang::SpindleCommand& command);
+  // G96 and G97 at this position; `x`: its axis that is X, below 0: none.
+  void take_cutting_speed(const lang::CuttingSpeedMode& mode, const motion::Point& position, int x);
 
   // Adds a block from `start`, in a workspace with these axes as X, Y, Z; the first one opens a
   // chain. `line` has its end, tolerance, transform. Or why it cannot be cut.
@@ -44,6 +46,11 @@ class ThreadPreparation {
   struct ThreadSpindle {
     SpindleConfig config;
     double rev_per_min = 0.0;  // commanded; 0: not known
+    // Under G96, which gives the speed by the diameter; 0: it does not.
+    double cutting_m_per_min = 0.0;
+    double limit_rev_per_min = 0.0;  // 0: none
+
+    [[nodiscard]] double speed_at(double diameter_mm) const;
   };
 
   [[nodiscard]] std::size_t index_of(int spindle) const;
@@ -55,6 +62,7 @@ class ThreadPreparation {
   double cycle_s_;
   std::vector<ThreadSpindle> spindles_;  // in the order of the channel
   std::size_t spindle_ = 0;              // of the open chain
+  double rev_per_min_ = 0.0;             // the highest in the open chain
   double start_angle_deg_ = 0.0;
   bool is_tap_ = false;
 };

@@ -130,6 +130,24 @@ std::optional<ThreadFault> ThreadBuilder::fault_of(const Straight& block, double
   return std::nullopt;
 }
 
+void ThreadBuilder::set_speed(double speed) {
+  speed_ = speed;
+  for (Straight& block : blocks_) block.whole.feed_per_s = speed;
+}
+
+std::optional<ThreadFault> ThreadBuilder::turn_faster(double speed) {
+  if (speed <= speed_) return std::nullopt;
+  for (const Straight& block : blocks_) {
+    if (block.whole.bounds.velocity * speed > SpindleCoupling::speed_share)
+      return too_slow_axis(block.whole, speed, config_);
+  }
+  const double before = speed_;
+  set_speed(speed);
+  auto fault = round_corners_anew();
+  if (fault) set_speed(before);
+  return fault;
+}
+
 std::optional<ThreadFault> ThreadBuilder::add(const ThreadBlock& block) {
   Straight next = straight(block, end_);
   if (auto fault = fault_of(next, block.lead_mm)) return fault;

@@ -63,6 +63,9 @@ class ThreadBuilder {
   // the axes allow is added to the coupling.
   void begin(const Point& start, const std::array<int, 3>& geometry,
              const SpindleCoupling& coupling, double speed, double jerk_to_follow = 0.0);
+  // The spindle may turn at `speed` within the chain, turns/s, if that is faster: corners are made
+  // anew. A fault changes nothing.
+  [[nodiscard]] std::optional<ThreadFault> turn_faster(double speed);
   // A fault adds nothing to the chain.
   [[nodiscard]] std::optional<ThreadFault> add(const ThreadBlock& block);
   // The only block of a tap: the path goes on behind its end for what the spindle overruns. The
@@ -96,6 +99,7 @@ class ThreadBuilder {
   [[nodiscard]] std::optional<ThreadFault> append(const Straight& next);
   [[nodiscard]] std::optional<ThreadFault> connect(Straight next);
   [[nodiscard]] std::optional<ThreadFault> round_corners_anew();
+  void set_speed(double speed);
   [[nodiscard]] double change_of_lead(const Straight& one, const Straight& next) const;
   [[nodiscard]] SegmentBounds bounds_of_chain() const;
   [[nodiscard]] static SegmentLimits limits_at(const SegmentBounds& bounds, double speed);

@@ -355,6 +355,38 @@ TEST(Thread, AResetInATapStopsTheSpindleOnTheHelix) {
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
+// G96 gives the speed by the diameter: 350 m/min are 1857 rev/min at 60 mm, and 2785.21 at 40,
+// where a lead of 6 mm is 278.5 mm/s.
+TEST(Thread, IsJudgedAtTheHighestSpeedThatG96Gives) {
+  for (const char* thread : {"G33 X20 Z-30 K6\n", "G33 Z-5 K6\nG33 X20 Z-30 K6\n"}) {
+    SCOPED_TRACE(thread);
+    MachineBench bench(testing::turning_machine());
+    bench.program("p.nc", "G8 G18 G95\nG96 S350 M3\nG0 X30 Z2\n" + std::string(thread) + "M30\n");
+    bench.run(1, "p.nc");
+    bench.run_to_end();
+    const auto alarms = bench.machine().alarms();
+    ASSERT_EQ(alarms.size(), 1U);
+    EXPECT_EQ(alarms[0].diagnostic.code, "E5302");
+    EXPECT_THAT(alarms[0].diagnostic.message, ::testing::HasSubstr(" mm/s at 2785.21 rev/min"));
+    EXPECT_THAT(alarms[0].diagnostic.help[0], ::testing::HasSubstr(" of G97, or"));
+  }
+}
+
+// A chain whose corners are made for the speed at its smallest diameter, and whose last part runs
+// out of the thread: 120 m/min are 573 rev/min at 66.6 mm.
+TEST(Thread, RunsOutOverAChamferUnderG96) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc",
+                "G8 G18 G95\nG96 S120 D2000 M3\nG0 X42 Z4\nX33.3\nG33 Z-23 K1.3\n"
+                "G33 X34.6 Z-24.3 K1.838\nG0 X42\nM30\n");
+  bench.run(1, "p.nc");
+  Watched watched;
+  bench.run_to_end([&](const CycleOutput& output) { watch_limits(output.channels[0], watched); });
+  EXPECT_THAT(bench.alarm_codes(), ::testing::IsEmpty());
+  EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, -24.3);
+  EXPECT_LE(watched.limits, 1.0 + 1e-12);
+}
+
 TEST(Thread, NeedsAnEncoder) {
   MachineConfig machine = testing::turning_machine();
   machine.spindles[0].encoder_pulses = 0;
