@@ -162,6 +162,7 @@ function stlOf([x0, y0, z0], [x1, y1, z1]) {
 }
 const blank = { low: [0, 0, -12], high: [60, 40, 0] };
 
+let trianglesOfPart = 0;
 test('every corner of the part knows how far it is off the reference', async () => {
   writeFileSync(join(stage.programs, 'blank.stl'), stlOf(blank.low, blank.high));
   let [from, workpiece, corners, farthest, deepest] = [0, 0, 0, 0, 0];
@@ -184,6 +185,7 @@ test('every corner of the part knows how far it is off the reference', async () 
     from = page.next;
   }
   assert.ok(corners > 10_000, corners);
+  trianglesOfPart = corners / 3;
   assert.ok(farthest < 2e-3, `${farthest} mm`);
   // The walls of the slot pass the middle of the blank, 6 mm from its top and from its bottom.
   assert.ok(deepest > -6 && deepest < -5.5, String(deepest));
@@ -194,20 +196,13 @@ test('its colours say so, with a scale in mm', async () => {
   await show('path');
   const canvas = page.locator('canvas');
   const triangles = async () => Number(await canvas.getAttribute('data-triangles'));
-  // All of it is there when it does not grow any more.
-  let whole = 0;
-  await until('the part', async () => {
-    const before = whole;
-    whole = await triangles();
-    await page.waitForTimeout(1000);
-    return whole > 0 && whole === before;
-  });
+  await until('the part', async () => (await triangles()) === trianglesOfPart, 60);
   await page.getByLabel('Colours of the part').selectOption('Off blank.stl');
   await page.getByLabel('Scale of deviations').selectOption('± 2 mm');
   const scale = page.getByRole('list', { name: 'Deviation, mm' });
   await scale.getByText('below −1.429 mm: too much cut').waitFor();
   await scale.getByText('−0.286 to 0.286').waitFor();
-  await until('the whole part', async () => (await triangles()) === whole);
+  await until('the whole part', async () => (await triangles()) === trianglesOfPart, 60);
   assert.deepEqual(await findings(), []);
   await picture('deviation');
   writeFileSync(join(stage.programs, 'blank.stl'), 'M30\n');
