@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "channels/contract/channel_description.h"
+#include "channels/preparation/cutting_speed.h"
 #include "channels/preparation/feed_law_choice.h"
 #include "motion/segments/feed_law_stage.h"
 
@@ -136,10 +136,7 @@ double ProcessPreparation::rev_per_min(double diameter_mm) const {
 }
 
 double ProcessPreparation::rev_per_min(double cutting_speed, double diameter_mm) const {
-  const double limit = speed_limit_ > 0.0 ? std::min(speed_limit_, speed_max_) : speed_max_;
-  constexpr double mm_per_m = 1000.0;
-  const double wanted = mm_per_m * cutting_speed / (std::numbers::pi * diameter_mm);
-  return std::max(speed_min_, std::min(wanted, limit));
+  return speed_of_cut({speed_min_, speed_max_, speed_limit_}, cutting_speed, diameter_mm);
 }
 
 std::optional<Diagnostic> ProcessPreparation::apply(const lang::Move& move, const Travel& travel,

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <string>
 
 #include "base/units.h"
+#include "channels/preparation/cutting_speed.h"
 #include "channels/preparation/scheme_switch.h"
 #include "motion/threads/synchronous_run.h"
 
@@ -60,14 +60,10 @@ std::size_t ThreadPreparation::index_of(int spindle) const {
   return 0;
 }
 
-// As the spindle does (Spindle::follow_diameter and target), without an override.
 double ThreadPreparation::ThreadSpindle::speed_at(double diameter_mm) const {
   if (cutting_m_per_min <= 0.0) return rev_per_min;
-  constexpr double mm_per_m = 1000.0;
-  const double limit =
-      limit_rev_per_min > 0.0 ? std::min(limit_rev_per_min, config.speed_max) : config.speed_max;
-  const double wanted = mm_per_m * cutting_m_per_min / (std::numbers::pi * diameter_mm);
-  return std::max(config.speed_min, std::min(wanted, limit));
+  return speed_of_cut({config.speed_min, config.speed_max, limit_rev_per_min}, cutting_m_per_min,
+                      diameter_mm);
 }
 
 void ThreadPreparation::take_cutting_speed(const lang::CuttingSpeedMode& mode,
