@@ -11,7 +11,7 @@
 #include "daemon/report/inventory.h"
 #include "daemon/report/status_report.h"
 #include "protocol/diagnostic_json.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "runtime/foresight/thread_time.h"
 #include "runtime/overlaid_files.h"
 #include "runtime/program_files.h"

@@ -11,7 +11,7 @@
 #include "python/native/faults.h"
 #include "python/native/interruption.h"
 #include "python/native/machine_handle.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
 namespace stanok::python {

@@ -12,7 +12,7 @@
 #include "base/place.h"
 #include "plant/cutting/stock.h"
 #include "runtime/cutting/program_text.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
 namespace stanok::runtime {

@@ -10,7 +10,7 @@
 
 #include "base/diagnostic.h"
 #include "config/files/machine_file.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 
 namespace stanok::runtime {
 

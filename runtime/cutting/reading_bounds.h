@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 
 namespace stanok::runtime {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "config/files/machine_file.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::runtime {

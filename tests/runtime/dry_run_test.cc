@@ -1,5 +1,5 @@
 // DryRun and check_program: programs looked at before a run.
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a dry run keeps of a feed, without an interpreter.
-#include "runtime/dry_sink.h"
+#include "runtime/dry_run/dry_sink.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "runtime/log_observer.h"
 #include "runtime/program_files.h"
 #include "runtime/replay.h"

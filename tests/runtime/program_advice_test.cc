@@ -1,5 +1,5 @@
 // ProgramAdvice: programs whose blocks are right, but hardly meant.
-#include "runtime/program_advice.h"
+#include "runtime/dry_run/program_advice.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/files/machine_file.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::runtime {

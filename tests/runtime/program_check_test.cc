@@ -7,7 +7,7 @@
 #include <map>
 
 #include "config/files/machine_file.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::runtime {

@@ -13,7 +13,7 @@
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
 #include "config/files/machine_file.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
 namespace stanok::client {

@@ -8,7 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "client/terminal/terminal.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 
 namespace stanok::client {
 

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "client/terminal/diagnostic_output.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
 namespace stanok::client {

@@ -10,7 +10,7 @@
 #include "daemon/desk/background_work.h"
 #include "daemon/desk/program_folder.h"
 #include "runtime/cutting/forecast_job.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 
 namespace stanok::daemon {
 

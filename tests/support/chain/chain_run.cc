@@ -6,7 +6,7 @@
 #include <exception>
 
 #include "base/catalogue.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::testing {

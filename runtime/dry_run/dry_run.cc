@@ -1,4 +1,4 @@
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/dry_run.h"
 
 #include <algorithm>
 #include <stdexcept>

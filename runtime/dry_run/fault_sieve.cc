@@ -1,4 +1,4 @@
-#include "runtime/fault_sieve.h"
+#include "runtime/dry_run/fault_sieve.h"
 
 #include <algorithm>
 #include <array>

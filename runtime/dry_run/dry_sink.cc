@@ -1,4 +1,4 @@
-#include "runtime/dry_sink.h"
+#include "runtime/dry_run/dry_sink.h"
 
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "runtime/program_advice.h"
+#include "runtime/dry_run/program_advice.h"
 
 #include <algorithm>
 #include <cmath>

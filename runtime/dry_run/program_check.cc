@@ -4,8 +4,8 @@
 #include <set>
 #include <tuple>
 
-#include "runtime/blanked_files.h"
-#include "runtime/dry_run.h"
+#include "runtime/dry_run/blanked_files.h"
+#include "runtime/dry_run/dry_run.h"
 
 namespace stanok::runtime {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/blanked_files.h"
+#include "runtime/dry_run/blanked_files.h"
 
 #include <algorithm>
 

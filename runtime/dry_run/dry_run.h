@@ -17,9 +17,9 @@
 #include "config/files/machine_file.h"
 #include "lang/run/block_search.h"
 #include "lang/run/interpreter.h"
-#include "runtime/dry_sink.h"
-#include "runtime/fault_sieve.h"
-#include "runtime/program_advice.h"
+#include "runtime/dry_run/dry_sink.h"
+#include "runtime/dry_run/fault_sieve.h"
+#include "runtime/dry_run/program_advice.h"
 
 namespace stanok::runtime {
 
