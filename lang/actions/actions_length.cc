@@ -115,6 +115,7 @@ std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRota
   move.end = modal.position_W;
   move.path = modal.path;
   move.stop_at_end = block.end.stops;
+  move.aligns_tool = true;
   if (!turn_axes(block, *found, move)) return std::nullopt;
   return move;
 }

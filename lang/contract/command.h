@@ -106,7 +106,8 @@ struct Move {
   AxisValues end{};                  // all axes, programmed or not
   double feed = 0.0;  // mm/min (deg/min without linear words), mm/rev or 1/min; rapid: unused
   FeedMode feed_mode = FeedMode::per_minute;
-  bool is_tap = false;  // with a floating chuck: the feed must be that of lead and spindle
+  bool aligns_tool = false;  // G53.1, G53.6: the rotary axes of `words` turn it to the plane
+  bool is_tap = false;       // with a floating chuck: the feed must be that of lead and spindle
   PathControl path;
   // Arc only. The two axes of the plane follow G17/G18/G19; every other programmed axis moves
   // linearly along (helix).

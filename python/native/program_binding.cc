@@ -58,7 +58,8 @@ py::tuple interpret(const config::MachineFile& file, const Program& program) {
                         result.blocks);
 }
 
-// Faults, and the blocks under a feed law as `stanok check --estimate --json` has them.
+// Faults, and blocks under a feed law and tilted planes as `stanok check --estimate --json` has
+// them.
 py::tuple check(const config::MachineFile& file, const Program& program) {
   static_cast<void>(channel_of(file, program.channel));
   Interruption interruption;
@@ -75,9 +76,11 @@ py::tuple check(const config::MachineFile& file, const Program& program) {
   const auto estimate = client::estimate_json({{.file = program.name,
                                                 .diagnostics = {},
                                                 .blocks = result.blocks,
-                                                .laws = std::move(result.laws)}});
+                                                .laws = std::move(result.laws),
+                                                .planes = std::move(result.planes)}});
   return py::make_tuple(py::str(protocol::json_text(faults)),
-                        py::str(protocol::json_text(estimate.at("feed_laws"))), result.blocks);
+                        py::str(protocol::json_text(estimate.at("feed_laws"))),
+                        py::str(protocol::json_text(estimate.at("tilted_planes"))), result.blocks);
 }
 
 }  // namespace

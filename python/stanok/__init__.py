@@ -12,7 +12,7 @@ libraries. Lengths are mm, angles deg, times s.
 ============================================  ===========================================================
 :func:`simulate`                              programs on a virtual machine, setpoints of every cycle
 :func:`read_log`, :func:`open_log`            setpoints and events of a log, in pieces where it is long
-:func:`check`, :func:`interpret`              errors, feed laws and records of a program
+:func:`check`, :func:`interpret`              errors, feed laws, planes, records of a program
 :class:`Kinematics`                           forward, inverse and derivatives of a machine's schemes
 :mod:`stanok.grinding`                        plunge grinding cycles: design, verification, studies, model
 :mod:`stanok.cutting`                         force constants and stiffness from the log of a cut
@@ -37,7 +37,15 @@ from .errors import (
     RunError,
     StanokError,
 )
-from .interpreter import Check, FeedLawBlock, Interpretation, check, interpret
+from .interpreter import (
+    Check,
+    FeedLawBlock,
+    Interpretation,
+    OtherPosition,
+    TiltedPlane,
+    check,
+    interpret,
+)
 from .kinematics import Jets, Kinematics
 from .logs import Log, open_log, read_log
 from .machine import Axis, Channel, Machine, Scheme, load_machine
@@ -69,6 +77,7 @@ __all__ = [
     "MachineFileError",
     "Notification",
     "OperatorEvent",
+    "OtherPosition",
     "ProgramError",
     "RequestError",
     "Run",
@@ -77,6 +86,7 @@ __all__ = [
     "Setpoints",
     "Simulation",
     "StanokError",
+    "TiltedPlane",
     "check",
     "connect",
     "cutting",

@@ -10,7 +10,7 @@ from .errors import Fault, ProgramError
 from .machine import MachineLike, as_machine
 from .programs import PathLike, located, search_roots
 
-__all__ = ["Check", "FeedLawBlock", "Interpretation", "check", "interpret"]
+__all__ = ["Check", "FeedLawBlock", "Interpretation", "OtherPosition", "TiltedPlane", "check", "interpret"]
 
 
 @dataclass(frozen=True)
@@ -49,11 +49,39 @@ class FeedLawBlock:
 
 
 @dataclass(frozen=True)
+class OtherPosition:
+    """The position of the rotary axes that ``word`` (``"P1"``, ``"P2"``) beside G53.1 or G53.6 asks for.
+
+    ``limit``: the one axis in ``axes`` cannot stand there, but only up to this angle; ``None``: it can be had.
+    """
+
+    word: str
+    axes: dict[str, float]
+    limit: float | None = None
+
+
+@dataclass(frozen=True)
+class TiltedPlane:
+    """Where the rotary axes will stand when ``line`` aligns the tool with a tilted plane; angles in deg.
+
+    ``tool`` is the direction of the tool on the table, from its tip into the spindle. ``other`` is ``None``
+    where the tool is at the pole and there is no other position.
+    """
+
+    file: str
+    line: int
+    tool: tuple[float, float, float]
+    axes: dict[str, float]
+    other: OtherPosition | None = None
+
+
+@dataclass(frozen=True)
 class Check:
     """What is known of a program before a run. ``ok``: no fault is an error."""
 
     faults: tuple[Fault, ...]
     feed_laws: tuple[FeedLawBlock, ...]
+    tilted_planes: tuple[TiltedPlane, ...]
     blocks: int
 
     @property
@@ -113,12 +141,19 @@ def check(
     that it runs on other channels are followed.
     """
     native, job = _job(machine, program, channel, scheme, program_root, million_steps)
-    faults_text, laws_text, blocks = _native.check(native, job)
+    faults_text, laws_text, planes_text, blocks = _native.check(native, job)
     return Check(
         faults=tuple(Fault.from_json(value) for value in json.loads(faults_text)),
         feed_laws=tuple(FeedLawBlock(**value) for value in json.loads(laws_text)),
+        tilted_planes=tuple(_plane(value) for value in json.loads(planes_text)),
         blocks=blocks,
     )
+
+
+def _plane(value: dict[str, Any]) -> TiltedPlane:
+    other = value.pop("other", None)
+    tool = value.pop("tool")
+    return TiltedPlane(tool=(tool[0], tool[1], tool[2]), other=OtherPosition(**other) if other else None, **value)
 
 
 def _job(machine: MachineLike, program: PathLike, channel: int, scheme: int | None,

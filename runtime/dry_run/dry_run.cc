@@ -62,7 +62,7 @@ DryRun::DryRun(const channels::MachineConfig& machine, int channel, int scheme,
       sink_(motion_, feed_),
       feed_(machine, channel_, motion_, sink_),
       interpreter_(description_, tables_, files),
-      judges_{{}, {machine, channel_}} {
+      judges_{{}, {machine, channel_}, {tables_, channel_.words}} {
   const int id = scheme < 0 ? channel_.scheme : scheme;
   const auto found = schemes_.find(id);
   if (found != schemes_.end()) scheme_ = found->second.get();
@@ -87,6 +87,7 @@ DryRunResult DryRun::run(const std::string& program, Reachability reachability,
   interpreter_.start(program_, feed_.blocks().position_B());
   go_on(request, result);
   result.laws = sink_.take_laws();
+  result.planes = judges_.planes.take();
   return result;
 }
 
@@ -244,6 +245,7 @@ std::optional<Diagnostic> DryRun::pass_request(const lang::Request& request,
 bool DryRun::take(const lang::Command& command, const RequestSink& request,
                   Diagnostics& diagnostics) {
   const motion::Point before = feed_.blocks().position_W();
+  note_plane(command);
   auto taken = feed_.take(command);
   if (!taken) {
     if (judges_.sieve.lets_through(taken.error())) diagnostics.push_back(std::move(taken.error()));
@@ -256,6 +258,23 @@ bool DryRun::take(const lang::Command& command, const RequestSink& request,
   if (const auto* wish = std::get_if<lang::Request>(&command.payload))
     take_request(command, *wish, request);
   return taken->gives;
+}
+
+// Also of a tool that cannot be aligned since another axis ends on the way: the other position of
+// the rotary axes may do.
+void DryRun::note_plane(const lang::Command& command) {
+  const auto* move = std::get_if<lang::Move>(&command.payload);
+  if (move == nullptr || !move->aligns_tool) return;
+  const lang::AxisValues from_B = feed_.blocks().position_B();
+  lang::AxisValues to_B = from_B;
+  for (std::size_t k = 0; k < to_B.size(); ++k) {
+    if ((move->words & lang::axis_bit(k)) != 0)
+      to_B[k] += move->end[k] - feed_.blocks().position_W()[k];
+  }
+  Place place;
+  place.file = std::string(lang::file_name(*program_, command.origin.file));
+  place.line = static_cast<int>(command.origin.line);
+  judges_.planes.note(place, from_B, to_B);
 }
 
 void DryRun::take_request(const lang::Command& command, const lang::Request& request,

@@ -19,6 +19,7 @@
 #include "lang/run/interpreter.h"
 #include "runtime/dry_run/dry_sink.h"
 #include "runtime/dry_run/fault_sieve.h"
+#include "runtime/dry_run/plane_positions.h"
 #include "runtime/dry_run/program_advice.h"
 
 namespace stanok::runtime {
@@ -31,6 +32,7 @@ struct DryRunResult {
   bool loaded = false;
   std::uint64_t blocks = 0;
   std::vector<LawBlock> laws;  // of a checked run, in their order
+  std::vector<PlanePosition> planes;
 };
 
 // Where a dry run begins: what comes before is interpreted only, or left out.
@@ -81,6 +83,7 @@ class DryRun {
                                                        const lang::SearchCollector& collector);
   [[nodiscard]] bool take(const lang::Command& command, const RequestSink& request,
                           Diagnostics& diagnostics);
+  void note_plane(const lang::Command& command);
   void take_request(const lang::Command& command, const lang::Request& request,
                     const RequestSink& sink);
   [[nodiscard]] lang::Answer answer_of(const lang::Request& request);
@@ -103,6 +106,7 @@ class DryRun {
   struct {
     FaultSieve sieve;
     ProgramAdvice advice;
+    PlanePositions planes;
   } judges_;
 };
 

@@ -39,6 +39,7 @@ class Check {
     for (Diagnostic& diagnostic : result.diagnostics) keep(std::move(diagnostic));
     found.blocks += result.blocks;
     found.laws.insert(found.laws.end(), result.laws.begin(), result.laws.end());
+    found.planes.insert(found.planes.end(), result.planes.begin(), result.planes.end());
   }
 
   DryRunResult found;

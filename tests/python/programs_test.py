@@ -11,6 +11,7 @@ from surroundings import EXAMPLES, MACHINES, InFolder
 from surroundings import stanok as command
 
 MILL = MACHINES / "mill3.toml"
+TRUNNION = MACHINES / "trunnion.toml"
 LATHE = MACHINES / "lathe.toml"
 
 
@@ -42,6 +43,15 @@ class Programs(InFolder):
             for block, expected in zip(result.feed_laws, told["feed_laws"]):
                 has = {name: value for name, value in vars(block).items() if value is not None}
                 self.assertEqual(has, expected)
+
+    def test_tilted_planes_are_those_of_the_command(self):
+        program = EXAMPLES / "tilted_planes.nc"
+        told = json.loads(command("check", program, "--machine", TRUNNION, "--estimate", "--json"))["tilted_planes"]
+        planes = stanok.check(TRUNNION, program).tilted_planes
+        self.assertEqual([(plane.line, list(plane.tool), plane.axes) for plane in planes],
+                         [(one["line"], one["tool"], one["axes"]) for one in told])
+        self.assertEqual([plane.axes for plane in planes][0], {"A": -25.0, "C": 0.0})
+        self.assertEqual(planes[0].other.word, "P1")
 
     def test_all_errors_are_told_with_their_places(self):
         program = self.write("wrong.nc", "G1 X1 F100\nG1 Qx\nG2 X1\nG1 X1e6\nM30\n")

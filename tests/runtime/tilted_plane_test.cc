@@ -352,6 +352,74 @@ TEST(TiltedPlaneOnMachine, NamesAxisLimitAndTheNearestDirection) {
   EXPECT_TRUE(checked_plane("trunnion.toml", "G54\nG68.2 J50\nG53.1\nM30\n").empty());
 }
 
+std::vector<PlanePosition> positions(const std::string& machine, const std::string& program) {
+  const DryRunResult found =
+      check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program));
+  EXPECT_TRUE(found.diagnostics.empty()) << found.diagnostics[0].message;
+  return found.planes;
+}
+
+void expect_angles(const std::vector<RotaryAngle>& axes, double a, double c) {
+  ASSERT_EQ(axes.size(), 2U);
+  EXPECT_EQ(axes[0].word, "A");
+  EXPECT_EQ(axes[1].word, "C");
+  EXPECT_NEAR(axes[0].deg, a, 1e-9);
+  EXPECT_NEAR(std::remainder(axes[1].deg - c, 360.0), 0.0, 1e-9);
+}
+
+// The face falls towards -Y: the cradle lifts it at -J, or at J with the table turned about.
+TEST(TiltedPlaneOnMachine, TellsThePositionThatItTakesAndTheOther) {
+  const auto planes =
+      positions("trunnion.toml", "G54\nG68.2 J25\nG53.1\nG69\nG68.2 J25\nG53.6 P1\nG69\nM30\n");
+  ASSERT_EQ(planes.size(), 2U);
+  EXPECT_EQ(planes[0].place.file, "plane.nc");
+  EXPECT_EQ(planes[0].place.line, 3);
+  EXPECT_NEAR(planes[0].normal_B[1], -std::sin(25.0 / deg_of_plane), 1e-12);
+  EXPECT_NEAR(planes[0].normal_B[2], std::cos(25.0 / deg_of_plane), 1e-12);
+  expect_angles(planes[0].axes, -25.0, 0.0);
+  ASSERT_TRUE(planes[0].other);
+  EXPECT_EQ(planes[0].other->first, lang::FirstRotary::positive);
+  expect_angles(planes[0].other->axes, 25.0, 180.0);
+  EXPECT_FALSE(planes[0].other->limit_deg);
+  EXPECT_EQ(planes[1].place.line, 6);
+  expect_angles(planes[1].axes, 25.0, 180.0);
+  ASSERT_TRUE(planes[1].other);
+  EXPECT_EQ(planes[1].other->first, lang::FirstRotary::negative);
+  expect_angles(planes[1].other->axes, -25.0, 0.0);
+}
+
+TEST(TiltedPlaneOnMachine, TellsTheLimitOfTheOtherPosition) {
+  const auto planes = positions("trunnion.toml", "G54\nG68.2 J50\nG53.1\nG69\nM30\n");
+  ASSERT_EQ(planes.size(), 1U);
+  expect_angles(planes[0].axes, -50.0, 0.0);
+  ASSERT_TRUE(planes[0].other);
+  ASSERT_EQ(planes[0].other->axes.size(), 1U);
+  EXPECT_EQ(planes[0].other->axes[0].word, "A");
+  EXPECT_NEAR(planes[0].other->axes[0].deg, 50.0, 1e-9);
+  EXPECT_NEAR(planes[0].other->limit_deg.value(), 30.0, 1e-9);
+}
+
+// The tip is held, and Y would have to go too far: what the other position comes to helps then.
+TEST(TiltedPlaneOnMachine, TellsAPositionThatAnotherAxisCannotFollow) {
+  const DryRunResult found = check_program(machine_called("trunnion.toml"), 1, -1, "plane.nc",
+                                           PlaneProgram("G54\nG68.2 J35\nG53.6\nG69\nM30\n"));
+  ASSERT_EQ(found.diagnostics.size(), 1U);
+  EXPECT_EQ(found.diagnostics[0].code, "E5101");
+  ASSERT_EQ(found.planes.size(), 1U);
+  expect_angles(found.planes[0].axes, -35.0, 0.0);
+  ASSERT_TRUE(found.planes[0].other);
+}
+
+TEST(TiltedPlaneOnMachine, TellsAPositionOnceAndNoneBesideThePole) {
+  const auto planes = positions("trunnion.toml",
+                                "G54\nnum turn = 0;\nwhile (turn < 3)\n{\nG68.2 J0\nG53.1\nG69\n"
+                                "G68.2 J10\nG53.1\nG69\nturn = turn + 1;\n}\nM30\n");
+  ASSERT_EQ(planes.size(), 2U);
+  expect_angles(planes[0].axes, 0.0, 0.0);
+  EXPECT_FALSE(planes[0].other);
+  expect_angles(planes[1].axes, -10.0, 0.0);
+}
+
 // The parts of a move are one move: the axes stand at its end, and nowhere before.
 TEST(TiltedPlaneOnMachine, AVectorMoveStandsAtItsEndAloneInExactStop) {
   const auto ends = feed_ends(machine_called("trunnion.toml"),

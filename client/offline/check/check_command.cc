@@ -29,8 +29,10 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->add_option("PROGRAM", options->programs, "part programs, or folders of them")
       ->type_name("FILE")
       ->required();
-  command->add_flag("--estimate", options->wanted.estimate,
-                    "time and figures of each block under a feed law; with --json an object");
+  command->add_flag(
+      "--estimate", options->wanted.estimate,
+      "time and figures of each block under a feed law; with --json an object, that has "
+      "the tilted planes, too");
   add_job_options(*command, options->wanted.job);
   add_steps_option(*command, options->wanted.job);
   command

@@ -10,6 +10,7 @@
 #include "client/offline/check/check_record.h"
 #include "client/offline/check/check_report.h"
 #include "client/offline/check/law_report.h"
+#include "client/offline/check/plane_report.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
 #include "config/files/machine_file.h"
@@ -37,9 +38,12 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
     for (Diagnostic& diagnostic : result.diagnostics) {
       if (diagnostic.place.file == program.name) diagnostic.place.file = candidate.path;
     }
+    for (runtime::PlanePosition& plane : result.planes) {
+      if (plane.place.file == program.name) plane.place.file = candidate.path;
+    }
   }
-  return {candidate.path, std::move(result.diagnostics), result.blocks, time.count(),
-          std::move(result.laws)};
+  return {candidate.path, std::move(result.diagnostics), result.blocks,
+          time.count(),   std::move(result.laws),        std::move(result.planes)};
 }
 
 // A program whose check ended the process that did it.
@@ -72,8 +76,10 @@ int print_checked(const std::vector<CheckedProgram>& programs, const CheckWanted
     write_json(has_folders ? summary_json(programs) : all);
   } else if (has_folders) {
     write_data(summary_table(programs, Terminal(STDOUT_FILENO)));
-  } else if (all.empty()) {
-    write_data(Terminal(STDOUT_FILENO).coloured("no errors", Colour::green) + "\n");
+  } else {
+    const Terminal terminal(STDOUT_FILENO);
+    if (all.empty()) write_data(terminal.coloured("no errors", Colour::green) + "\n");
+    write_data(plane_table(programs, terminal));
   }
   return exit_code;
 }

@@ -78,16 +78,59 @@ runtime::LawBlock law_of(const json& record) {
   return law;
 }
 
+json angles_record(const std::vector<runtime::RotaryAngle>& axes) {
+  json record = json::array();
+  for (const runtime::RotaryAngle& axis : axes)
+    record.push_back(json::array({axis.word, axis.deg}));
+  return record;
+}
+
+std::vector<runtime::RotaryAngle> angles_of(const json& record) {
+  std::vector<runtime::RotaryAngle> axes;
+  for (const json& axis : record) axes.push_back({axis.at(0), axis.at(1)});
+  return axes;
+}
+
+json plane_record(const runtime::PlanePosition& plane) {
+  json other = nullptr;
+  if (plane.other) {
+    other = {static_cast<int>(plane.other->first), angles_record(plane.other->axes),
+             optional_record(plane.other->limit_deg)};
+  }
+  return {{"file", plane.place.file},
+          {"line", plane.place.line},
+          {"normal", plane.normal_B},
+          {"axes", angles_record(plane.axes)},
+          {"other", std::move(other)}};
+}
+
+runtime::PlanePosition plane_of(const json& record) {
+  runtime::PlanePosition plane;
+  plane.place.file = record.at("file");
+  plane.place.line = record.at("line");
+  plane.normal_B = record.at("normal").get<lang::Direction>();
+  plane.axes = angles_of(record.at("axes"));
+  const json& other = record.at("other");
+  if (other.is_null()) return plane;
+  plane.other = {.first = static_cast<lang::FirstRotary>(other.at(0).get<int>()),
+                 .axes = angles_of(other.at(1)),
+                 .limit_deg = optional_of(other.at(2))};
+  return plane;
+}
+
 }  // namespace
 
 std::string check_record(const CheckedProgram& program) {
   json laws = json::array();
   for (const runtime::LawBlock& law : program.laws) laws.push_back(law_record(law));
+  json planes = json::array();
+  for (const runtime::PlanePosition& plane : program.planes) planes.push_back(plane_record(plane));
   return bytes_of({{"file", program.file},
                    {"diagnostics", diagnostics_record(program.diagnostics)},
                    {"blocks", program.blocks},
                    {"seconds", program.seconds},
-                   {"laws", std::move(laws)}});
+                   {"laws", std::move(laws)},
+                   {"planes", std::move(planes)}});
 }
 
 CheckedProgram checked_program(const std::string& bytes) {
@@ -98,6 +141,7 @@ CheckedProgram checked_program(const std::string& bytes) {
   program.blocks = record.at("blocks");
   program.seconds = record.at("seconds");
   for (const json& law : record.at("laws")) program.laws.push_back(law_of(law));
+  for (const json& plane : record.at("planes")) program.planes.push_back(plane_of(plane));
   return program;
 }
 

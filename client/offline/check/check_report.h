@@ -18,13 +18,15 @@ struct CheckedProgram {
   std::uint64_t blocks = 0;
   double seconds = 0.0;  // wall time of the check
   std::vector<runtime::LawBlock> laws{};
+  std::vector<runtime::PlanePosition> planes{};
 };
 
 // One row for each program and their sum: file, blocks, errors, warnings, time.
 [[nodiscard]] std::string summary_table(const std::vector<CheckedProgram>& programs,
                                         const Terminal& terminal);
 
-// {"files": [{"file", "blocks", "errors", "warnings", "seconds", "diagnostics"}], "totals": {...}}.
+// {"files": [{"file", "blocks", "errors", "warnings", "seconds", "diagnostics", "tilted_planes"}],
+// "totals": {...}}; planes as in plane_report.h.
 [[nodiscard]] nlohmann::ordered_json summary_json(const std::vector<CheckedProgram>& programs);
 
 }  // namespace stanok::client

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "client/offline/check/plane_report.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/text_table.h"
 
@@ -98,6 +99,7 @@ ordered_json estimate_json(const std::vector<CheckedProgram>& programs) {
     for (const Diagnostic& d : program.diagnostics) json["diagnostics"].push_back(to_json(d));
     for (const runtime::LawBlock& block : program.laws) json["feed_laws"].push_back(fields(block));
   }
+  json["tilted_planes"] = plane_json(programs);
   return json;
 }
 

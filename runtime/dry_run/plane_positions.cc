@@ -1,0 +1,64 @@
+#include "runtime/dry_run/plane_positions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stanok::runtime {
+namespace {
+
+constexpr double same_deg = 1e-6;
+
+bool are_same(const std::vector<RotaryAngle>& a, const std::vector<RotaryAngle>& b) {
+  return std::ranges::equal(a, b, [](const RotaryAngle& one, const RotaryAngle& two) {
+    return one.word == two.word && std::abs(one.deg - two.deg) < same_deg;
+  });
+}
+
+}  // namespace
+
+void PlanePositions::note(const Place& place, const lang::AxisValues& from_B,
+                          const lang::AxisValues& to_B) {
+  lang::AlignmentWish wish;
+  wish.tool_B = tables_.spindle_axes(to_B)[2];
+  wish.from_B = to_B;
+  const lang::AxisSet turned = tables_.alignment(wish).axes;
+  PlanePosition position{
+      .place = place, .normal_B = wish.tool_B, .axes = angles(turned, to_B), .other = {}};
+  const auto known = std::ranges::find_if(found_, [&](const PlanePosition& one) {
+    return one.place.file == place.file && one.place.line == place.line &&
+           are_same(one.axes, position.axes);
+  });
+  if (known != found_.end() || found_.size() >= count_max) return;
+  wish.from_B = from_B;
+  position.other = other(wish, position.axes);
+  found_.push_back(std::move(position));
+}
+
+std::vector<RotaryAngle> PlanePositions::angles(lang::AxisSet axes,
+                                                const lang::AxisValues& angles_B) const {
+  const lang::AxisValues zero = tables_.scheme_zero();
+  std::vector<RotaryAngle> found;
+  for (std::size_t k = 0; k < words_.size(); ++k) {
+    if ((axes & lang::axis_bit(k)) != 0) found.push_back({words_[k], angles_B[k] + zero[k]});
+  }
+  return found;
+}
+
+std::optional<PlanePosition::Other> PlanePositions::other(
+    const lang::AlignmentWish& wish, const std::vector<RotaryAngle>& taken) const {
+  for (const auto first : {lang::FirstRotary::positive, lang::FirstRotary::negative}) {
+    lang::AlignmentWish asked = wish;
+    asked.first = first;
+    const lang::Alignment there = tables_.alignment(asked);
+    if (there.outcome == lang::Alignment::Outcome::found) {
+      auto axes = angles(there.axes, there.angles_B);
+      if (!are_same(axes, taken)) return PlanePosition::Other{first, std::move(axes), {}};
+    } else if (there.outcome == lang::Alignment::Outcome::beyond_limit) {
+      return PlanePosition::Other{
+          first, {{words_[there.axis.place()], there.needed_deg}}, there.limit_deg};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace stanok::runtime
