@@ -20,7 +20,7 @@ find "$clean" -type f -mtime +60 -delete
 cmake --preset tidy >/dev/null
 cmake --preset clang >/dev/null
 for database in "$alone" "$together"; do
-  cmake --build "$database" --target stanok_lcm_types >/dev/null  # headers that are generated
+  cmake --build "$database" --target stanok_lcm_types stanok_protobuf_sparkplug_b >/dev/null  # generated headers
 done
 
 # The checks of tests, for units: what they include is no header, and belongs to them.

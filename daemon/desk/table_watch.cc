@@ -1,5 +1,7 @@
 #include "daemon/desk/table_watch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "daemon/report/inventory.h"
@@ -21,7 +23,7 @@ TableWatch::Values TableWatch::values() const {
     }
   }
   for (const auto& [name, row] : tables.offsets) {
-    for (const auto& [axis, value] : row) values[name + " " + axis] = value;
+    for (const auto& [axis, value] : row) values[fmt::format("{} {}", name, axis)] = value;
   }
   return values;
 }

@@ -16,7 +16,7 @@ Transaction::~Transaction() {
   if (!is_open_) return;
   try {
     database_.run("ROLLBACK");
-  } catch (const DatabaseError&) {
+  } catch (const DatabaseError&) {  // NOLINT(bugprone-empty-catch)
     // The connection has gone, and the transaction with it.
   }
 }

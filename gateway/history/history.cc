@@ -13,6 +13,7 @@ using nlohmann::json;
 // Each entry leads to the next version; none is ever changed. DOUBLE PRECISION and BIGINT are what
 // both engines understand.
 const std::vector<std::vector<std::string>>& migrations() {
+  // NOLINTBEGIN(bugprone-suspicious-missing-comma): statements go on in the next line
   static const std::vector<std::vector<std::string>> steps{
       {"CREATE TABLE runs (source TEXT NOT NULL, number BIGINT NOT NULL, machine TEXT NOT NULL, "
        "channel INTEGER NOT NULL, program TEXT NOT NULL, version TEXT NOT NULL, begun_s DOUBLE "
@@ -35,6 +36,7 @@ const std::vector<std::vector<std::string>>& migrations() {
        "NULL, time_s DOUBLE PRECISION NOT NULL, channel INTEGER NOT NULL, text TEXT NOT NULL, "
        "PRIMARY KEY (source, number))",
        "CREATE INDEX measurements_by_time ON measurements (time_s)"}};
+  // NOLINTEND(bugprone-suspicious-missing-comma)
   return steps;
 }
 

@@ -28,7 +28,7 @@ Rows rows_of(const PGresult& result) {
 // Notices ("relation exists already") are nothing to tell.
 void ignore_notice(void* /*unused*/, const char* /*text*/) {}
 
-std::string first_line(std::string text) {
+std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 

@@ -22,8 +22,7 @@ std::optional<int> output_by_variable(ActiveBlock& block, CodeNumber code) {
   constexpr int last_old = 1131;
   constexpr int first = 12000;
   const auto number = signal(block, code, 'P', first + digital_max);
-  if (!number) return std::nullopt;
-  if (*number <= digital_max) return *number;
+  if (!number || *number <= digital_max) return number;
   if (*number >= first_old && *number <= last_old) return *number - first_old;
   if (*number >= first) return *number - first;
   block.fail("E4008", {'P', -1, {}}, "`P` must be an output or its variable",

@@ -44,11 +44,12 @@ asio::awaitable<Answered> HistoryDesk::ask(HistoryQuestion question) {
   if (waiting_ >= questions_max)
     co_return refused(busy, "too many questions wait for the history; ask again later");
   ++waiting_;
-  Answered answered = refused(failed, "there is no memory to read the history");
+  Answered answered;
   try {
     answered = co_await asio::co_spawn(reader_, read(database_, *query, *since_s, question.machine),
                                        asio::use_awaitable);
   } catch (const std::bad_alloc&) {  // it costs this answer, not the place of others
+    answered = refused(failed, "there is no memory to read the history");
   }
   --waiting_;
   co_return answered;

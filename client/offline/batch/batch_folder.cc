@@ -33,8 +33,8 @@ std::runtime_error unwritable(const fs::path& folder) {
 
 }  // namespace
 
-BatchFolder::BatchFolder(fs::path folder)
-    : folder_(fs::weakly_canonical(fs::absolute(std::move(folder)))) {}
+BatchFolder::BatchFolder(const fs::path& folder)
+    : folder_(fs::weakly_canonical(fs::absolute(folder))) {}
 
 void BatchFolder::lay_down(const BatchPlan& plan) {
   const std::string record = plan_record(plan);

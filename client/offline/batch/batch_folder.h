@@ -31,7 +31,7 @@ struct Engine {
 
 class BatchFolder {
  public:
-  explicit BatchFolder(std::filesystem::path folder);
+  explicit BatchFolder(const std::filesystem::path& folder);
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
   // Writes the plan where there is none; the same again is none the worse. Throws

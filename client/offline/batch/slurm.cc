@@ -8,9 +8,9 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <memory>
 #include <sstream>
+#include <system_error>
 
 #include "base/file_descriptor.h"
 
@@ -34,7 +34,7 @@ std::string all_of(int descriptor) {
 }
 
 SlurmError missing(const std::string& program, int error) {
-  return SlurmError("cannot start " + program + ": " + std::strerror(error) +
+  return SlurmError("cannot start " + program + ": " + std::generic_category().message(error) +
                     "; install Slurm's commands (Debian: slurm-client) on this computer, or use "
                     "--engine local");
 }
@@ -46,6 +46,7 @@ Answer ask(const std::vector<std::string>& words) {
   auto writing = std::make_unique<FileDescriptor>(ends[1]);
   std::vector<std::string> own(words);
   std::vector<char*> arguments;
+  arguments.reserve(own.size() + 1);
   for (std::string& word : own) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions{};
@@ -131,12 +132,11 @@ std::string submit_tasks(const ArrayJob& job, const std::vector<std::size_t>& ta
 }
 
 std::map<std::size_t, TaskState> queued_tasks(const std::string& name) {
+  constexpr const char* states =
+      "--states=PENDING,CONFIGURING,RUNNING,COMPLETING,SUSPENDED,REQUEUED,REQUEUE_FED,REQUEUE_HOLD,"
+      "RESIZING,SIGNALING,STAGE_OUT,STOPPED,SPECIAL_EXIT";
   const std::string rows =
-      told({"squeue", "--noheader", "--array", "--name=" + name,
-            "--states=PENDING,CONFIGURING,RUNNING,COMPLETING,SUSPENDED,REQUEUED,"
-            "REQUEUE_FED,REQUEUE_HOLD,RESIZING,SIGNALING,STAGE_OUT,STOPPED,"
-            "SPECIAL_EXIT",
-            "--format=%K %T"},
+      told({"squeue", "--noheader", "--array", "--name=" + name, states, "--format=%K %T"},
            "look with sinfo whether the cluster is up");
   std::map<std::size_t, TaskState> tasks;
   std::istringstream lines(rows);

@@ -65,6 +65,7 @@ std::vector<double> values_in_range(const std::vector<std::string_view>& parts) 
   if (!from || !to || !count || *count < 1 || *count > count_max) return {};
   if (*count == 1) return {*from};
   std::vector<double> values;
+  values.reserve(place_of(*count));
   for (int k = 0; k < *count; ++k)
     values.push_back(std::lerp(*from, *to, static_cast<double>(k) / (*count - 1)));
   return values;

@@ -79,6 +79,7 @@ void print_table(const gateway::Query& query, const gateway::Rows& rows) {
   TextTable table(std::move(headings));
   for (const gateway::Row& row : rows) {
     std::vector<std::string> cells;
+    cells.reserve(row.size());
     for (std::size_t i = 0; i < row.size(); ++i)
       cells.push_back(cell_of(row[i], query.columns[i].kind));
     table.add_row(std::move(cells));

@@ -77,8 +77,9 @@ bool receive_all(int descriptor, char* bytes, std::size_t count) {
 
 std::string death_of(int status) {
   if (!WIFSIGNALED(status)) return "it ended with exit code " + std::to_string(WEXITSTATUS(status));
-  const char* const name = ::strsignal(WTERMSIG(status));
-  return "it was ended by signal " + std::to_string(WTERMSIG(status)) + " (" + name + ")";
+  const char* const name = ::sigdescr_np(WTERMSIG(status));
+  return "it was ended by signal " + std::to_string(WTERMSIG(status)) +
+         (name == nullptr ? "" : " (" + std::string(name) + ")");
 }
 
 // A process that works, as seen by the one that asks it.

@@ -72,6 +72,7 @@ std::vector<std::string> PartPictures::drawn(const std::vector<channels::RunRepo
        write_files(workpieces, {.stl = "", .picture = file, .report = ""}, names))
     complaints_.push_back(complaint("E9204", failure));
   std::vector<std::string> pictures;
+  pictures.reserve(workpieces.size());
   for (std::size_t k = 0; k < workpieces.size(); ++k)
     pictures.push_back(bytes_in(numbered(file, k + 1)));
   return pictures;
