@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "base/base64.h"
+#include "protocol/base64.h"
 
 namespace stanok::protocol {
 namespace {
@@ -27,7 +27,7 @@ void GeometryBytes::add(const std::array<float, 3>& place_mm, std::uint32_t numb
 }
 
 std::string GeometryBytes::base64() const {
-  return stanok::base64(places_ + numbers_);
+  return protocol::base64(places_ + numbers_);
 }
 
 }  // namespace stanok::protocol

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "base/base64.h"
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/report/status_report.h"
+#include "protocol/base64.h"
 #include "simulation/offcuts.h"
 #include "simulation/picture/part_picture.h"
 #include "simulation/removed_volume.h"
@@ -35,7 +35,7 @@ Workpiece* newest_workpiece(const runtime::SimulatedWorkpieces& simulated) {
 void add_part(json& answer, const Workpiece& workpiece) {
   simulation::Mesh mesh = simulation::surface_of(workpiece.material());
   simulation::take_off_offcuts(mesh);
-  answer["picture"] = base64(simulation::view_of_part(
+  answer["picture"] = protocol::base64(simulation::view_of_part(
       mesh, workpiece.blank(), workpiece.material().grid(), picture_width, picture_height));
   answer["removed_mm3"] = simulation::removal_of(workpiece).volume_mm3;
   answer["blank_mm3"] = simulation::volume_of(workpiece.blank());

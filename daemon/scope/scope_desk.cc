@@ -4,10 +4,10 @@
 #include <bit>
 #include <cmath>
 
-#include "base/base64.h"
 #include "base/enum_names.h"
 #include "base/nearest_name.h"
 #include "base/place.h"
+#include "protocol/base64.h"
 
 namespace stanok::daemon {
 namespace {
@@ -148,7 +148,7 @@ json scope_reading(const Scope& scope, const channels::MachineConfig& machine,
           {"trigger", reading.trigger_cycle ? json(*reading.trigger_cycle) : json(nullptr)},
           {"from", reading.from},
           {"count", reading.values.size() / width},
-          {"values", base64(bytes_of(reading.values))}};
+          {"values", protocol::base64(bytes_of(reading.values))}};
 }
 
 }  // namespace stanok::daemon

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-namespace stanok {
+namespace stanok::protocol {
 
 [[nodiscard]] std::string base64(std::string_view bytes);
 
-}  // namespace stanok
+}  // namespace stanok::protocol

@@ -1,8 +1,8 @@
-#include "base/base64.h"
+#include "protocol/base64.h"
 
 #include <cstdint>
 
-namespace stanok {
+namespace stanok::protocol {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view letters =
@@ -24,4 +24,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace stanok
+}  // namespace stanok::protocol

@@ -1,8 +1,8 @@
-#include "base/base64.h"
+#include "protocol/base64.h"
 
 #include <gtest/gtest.h>
 
-namespace stanok {
+namespace stanok::protocol {
 namespace {
 
 // RFC 4648, section 10.
@@ -21,4 +21,4 @@ TEST(Base64, TakesAllBytes) {
 }
 
 }  // namespace
-}  // namespace stanok
+}  // namespace stanok::protocol
