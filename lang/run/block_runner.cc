@@ -315,7 +315,7 @@ void BlockRunner::fail_earlier(FaultOfCommand fault) {
   const Source& source = vm_.program().files[fault.origin.file]->source;
   name_codes_as_written(fault.fault, source.rules().code_system);
   Diagnostic diagnostic =
-      diagnostic_at(source, fault.fault.code, span_of_line(source, fault.origin.line),
+      diagnostic_at(source, fault.fault.code, source.words_of_line(fault.origin.line),
                     std::move(fault.fault.message), std::move(fault.fault.label));
   if (state_.modal.compensation.on())
     diagnostic.notes.push_back(state_.modal.origin_of(Group::radius_compensation));

@@ -228,7 +228,7 @@ const Span& Vm::span() const {
 
 Span Vm::next_span() const {
   const std::vector<Span>& spans = file().spans;
-  if (!plain_.at_end()) return span_of_line(file().source, plain_.line);
+  if (!plain_.at_end()) return file().source.words_of_line(plain_.line);
   return spans[std::min<std::size_t>(frames_.back().position, spans.size() - 1)];
 }
 

@@ -20,18 +20,6 @@ Diagnostic diagnostic_at(const Source& source, std::string_view code, const Span
   return diagnostic;
 }
 
-Span span_of_line(const Source& source, std::uint32_t line) {
-  std::size_t offset = source.begin();
-  for (std::uint32_t at = source.begin_line(); at < line && offset < source.text().size(); ++at) {
-    offset += source.line_at(offset).size();
-    const std::string_view rest = source.text().substr(offset);
-    offset += rest.starts_with("\r\n") ? 2 : 1;
-  }
-  const std::string_view text = source.line_at(offset);
-  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-  return {offset + first, static_cast<std::uint32_t>(text.size() - first), line};
-}
-
 std::string_view nearest_name(std::string_view name,
                               const std::vector<std::string_view>& candidates) {
   const int edits_max = name.size() <= 3 ? 1 : 2;
@@ -98,7 +86,7 @@ Diagnostic& Reporter::keep(Diagnostic diagnostic) {
 
 Diagnostic more_errors(const Source& source, std::size_t count) {
   const auto line = static_cast<std::uint32_t>(source.line_count());
-  Diagnostic diagnostic = diagnostic_at(source, "W213", span_of_line(source, line),
+  Diagnostic diagnostic = diagnostic_at(source, "W213", source.words_of_line(line),
                                         std::to_string(count) + " more errors are not shown", {});
   diagnostic.severity = Severity::warning;
   diagnostic.source_line.clear();

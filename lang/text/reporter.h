@@ -95,9 +95,6 @@ class Reporter {
 // The warning W213 at the end of the text: so many errors are not shown.
 [[nodiscard]] Diagnostic more_errors(const Source& source, std::size_t count);
 
-// What stands on a line of `source`, without blanks before it.
-[[nodiscard]] Span span_of_line(const Source& source, std::uint32_t line);
-
 // The candidate that is most like `name` (at most 2 edits, fewer for short names), or an empty
 // view.
 [[nodiscard]] std::string_view nearest_name(std::string_view name,

@@ -21,6 +21,8 @@ std::size_t after_line_end(std::string_view text, std::size_t offset) {
   return offset + (pair ? 2 : 1);
 }
 
+constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
+
 bool is_leader(char c) {
   return c == '\0' || is_blank(c) || is_line_end(c);
 }
@@ -83,7 +85,7 @@ Source::Source(std::shared_ptr<const SourceText> text, const TextRules& usual)
     is_repaired_ = true;
   }
   end_ = text_->text.size();
-  if (text_->text.starts_with("\xEF\xBB\xBF")) begin_ = 3;
+  if (text_->text.starts_with(utf8_mark)) begin_ = utf8_mark.size();
   find_frame();
   find_dialect(usual);
 }
@@ -179,7 +181,8 @@ Span Source::words_of_line(std::uint32_t line) const {
   for (std::uint32_t at = 1; at < line && start < whole.size(); ++at)
     start = after_line_end(whole, line_end_from(whole, start));
   std::size_t end = line_end_from(whole, start);
-  while (start < end && is_blank(whole[start])) ++start;
+  if (start == 0 && whole.starts_with(utf8_mark)) start = utf8_mark.size();
+  while (start < end && (line == 1 ? is_leader(whole[start]) : is_blank(whole[start]))) ++start;
   while (end > start && is_blank(whole[end - 1])) --end;
   return {start, static_cast<std::uint32_t>(end - start), line};
 }

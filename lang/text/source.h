@@ -64,7 +64,8 @@ class Source {
   [[nodiscard]] std::string_view line_at(std::size_t offset) const;
   [[nodiscard]] std::uint32_t line_number(std::size_t offset) const;
   [[nodiscard]] std::size_t line_count() const;
-  // A line without the blanks around it; empty beyond the end of the text.
+  // A line without the blanks around it and what comes before the program in it (the mark of UTF-8,
+  // a leader); empty beyond the end of the text.
   [[nodiscard]] Span words_of_line(std::uint32_t line) const;
 
  private:
