@@ -56,10 +56,10 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   if (row == nullptr) {
     BlockFault fault =
         fault_at("E4004", word, "unknown code `" + name() + "`", "there is no such code");
-    fault.help.push_back(
-        "a machine builder's code gets its meaning in the machine file: " + name() +
-        " = \"cycles/name.nc\"" + (letter == 'M' ? " or \"before\", \"after\"" : "") +
-        " in [channel.codes]");
+    fault.help.push_back("a machine builder's code gets its meaning in the machine file: " +
+                         name() + " = \"cycles/name.nc\"" +
+                         (letter == 'M' ? ", \"output 4 on\", \"before\" or \"after\"" : "") +
+                         " in [channel.codes]");
     return fault;
   }
   if (row->action == CodeAction::unsupported) {

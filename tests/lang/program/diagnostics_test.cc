@@ -177,6 +177,17 @@ TEST_F(DiagnosticsTest, CountTheErrorsThatAreNotShown) {
   EXPECT_EQ(warnings.back().message, "30 more errors are not shown");
 }
 
+TEST_F(DiagnosticsTest, NameWhatTheMachineFileCanMakeOfAnUnknownCode) {
+  const auto errors = load_errors("M87\nG87.5\nM30\n");
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_EQ(errors[0].code, "E4004");
+  EXPECT_THAT(errors[0].help,
+              ElementsAre(AllOf(HasSubstr("M87 = \"cycles/name.nc\""), HasSubstr("\"output 4 on\""),
+                                HasSubstr("\"before\""))));
+  EXPECT_EQ(errors[1].code, "E4004");
+  EXPECT_THAT(errors[1].help, ElementsAre(Not(HasSubstr("output"))));
+}
+
 TEST_F(DiagnosticsTest, KeepTheMotionBeforeTheFaultyBlock) {
   run("G0 X1\nX2\nT9 X3\nX4\nM30\n");
   EXPECT_EQ(error.code, "E5021");
