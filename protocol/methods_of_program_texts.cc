@@ -101,12 +101,14 @@ constexpr auto text_rows = std::to_array<Method>({
     {.name = "program.check",
      .course = Course::reads_program,
      .parameters = of_check,
-     .help = "errors and warnings of a program, without running it; another check of this "
-             "connection ends this one",
+     .help = "errors and warnings of a program, without running it, and where the rotary axes will "
+             "stand in its tilted planes; another check of this connection ends this one",
      .result = R"({"program":"string","ok":"boolean","blocks":"integer","version":"string?",
       "diagnostics":[{"code":"string","severity":"string","file":"string","line":"integer",
        "column":"integer","end_line":"integer","end_column":"integer","message":"string",
-       "label":"string","notes":["any"],"help":["string"],"stack":["string"]}]})"},
+       "label":"string","notes":["any"],"help":["string"],"stack":["string"]}],
+      "tilted_planes":[{"file":"string","line":"integer","tool":["number"],"axes":"$numbers",
+       "other?":{"word":"string","axes":"$numbers","limit?":"number"}}]})"},
     {.name = "program.picture",
      .course = Course::reads_program,
      .parameters = of_estimate,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/operator/channel_text.h"
+#include "client/terminal/plane_table.h"
 #include "client/terminal/screen_text.h"
 #include "client/terminal/text_table.h"
 #include "protocol/json_text.h"
@@ -151,8 +152,8 @@ std::string queues_text(const json& result, const Terminal& terminal) {
 // A line for each diagnostic, as compilers write them.
 std::string check_text(const json& result, const Terminal& terminal) {
   const json diagnostics = result.value("diagnostics", json::array());
-  if (diagnostics.empty()) return terminal.coloured("no errors", Colour::green) + "\n";
   std::string text;
+  if (diagnostics.empty()) text = terminal.coloured("no errors", Colour::green) + "\n";
   for (const json& one : diagnostics) {
     const bool is_error = one.value("severity", "") == "error";
     const std::string head = one.value("severity", "") + "[" + one.value("code", "") + "]";
@@ -161,7 +162,7 @@ std::string check_text(const json& result, const Terminal& terminal) {
             terminal.coloured(head, is_error ? Colour::red : Colour::yellow) + " " +
             one_line(one.value("message", "")) + "\n";
   }
-  return text;
+  return text + plane_table(result.value("tilted_planes", json::array()), terminal);
 }
 
 }  // namespace

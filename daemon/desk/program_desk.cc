@@ -11,6 +11,7 @@
 #include "daemon/report/inventory.h"
 #include "daemon/report/status_report.h"
 #include "protocol/diagnostic_json.h"
+#include "protocol/plane_json.h"
 #include "runtime/dry_run/dry_run.h"
 #include "runtime/foresight/thread_time.h"
 #include "runtime/overlaid_files.h"
@@ -63,7 +64,8 @@ json check_answer(const std::string& program, const runtime::DryRunResult& resul
   return {{"program", program},
           {"ok", !has_errors(result.diagnostics)},
           {"blocks", result.blocks},
-          {"diagnostics", std::move(diagnostics)}};
+          {"diagnostics", std::move(diagnostics)},
+          {"tilted_planes", json(protocol::plane_json(result.planes))}};
 }
 
 json run_json(const channels::RunReport& run, double cycle_s) {

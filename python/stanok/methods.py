@@ -157,7 +157,8 @@ class ProgramMethods:
         channel: int | None = None,
         file: str | None = None,
     ) -> dict[str, Any]:
-        """Errors and warnings of a program, without running it; another check of this connection ends this one.
+        """Errors and warnings of a program, without running it, and where the rotary axes will stand in its tilted
+        planes; another check of this connection ends this one.
 
         ``program.check``, for the role observer.
 

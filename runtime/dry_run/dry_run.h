@@ -19,7 +19,7 @@
 #include "lang/run/interpreter.h"
 #include "runtime/dry_run/dry_sink.h"
 #include "runtime/dry_run/fault_sieve.h"
-#include "runtime/dry_run/plane_positions.h"
+#include "runtime/dry_run/plane_log.h"
 #include "runtime/dry_run/program_advice.h"
 
 namespace stanok::runtime {
@@ -32,7 +32,7 @@ struct DryRunResult {
   bool loaded = false;
   std::uint64_t blocks = 0;
   std::vector<LawBlock> laws;  // of a checked run, in their order
-  std::vector<PlanePosition> planes;
+  PlanePositions planes;
 };
 
 // Where a dry run begins: what comes before is interpreted only, or left out.
@@ -106,7 +106,7 @@ class DryRun {
   struct {
     FaultSieve sieve;
     ProgramAdvice advice;
-    PlanePositions planes;
+    PlaneLog planes;
   } judges_;
 };
 

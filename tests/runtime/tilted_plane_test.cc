@@ -352,7 +352,7 @@ TEST(TiltedPlaneOnMachine, NamesAxisLimitAndTheNearestDirection) {
   EXPECT_TRUE(checked_plane("trunnion.toml", "G54\nG68.2 J50\nG53.1\nM30\n").empty());
 }
 
-std::vector<PlanePosition> positions(const std::string& machine, const std::string& program) {
+PlanePositions positions(const std::string& machine, const std::string& program) {
   const DryRunResult found =
       check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program));
   EXPECT_TRUE(found.diagnostics.empty()) << found.diagnostics[0].message;
@@ -374,17 +374,17 @@ TEST(TiltedPlaneOnMachine, TellsThePositionThatItTakesAndTheOther) {
   ASSERT_EQ(planes.size(), 2U);
   EXPECT_EQ(planes[0].place.file, "plane.nc");
   EXPECT_EQ(planes[0].place.line, 3);
-  EXPECT_NEAR(planes[0].normal_B[1], -std::sin(25.0 / deg_of_plane), 1e-12);
-  EXPECT_NEAR(planes[0].normal_B[2], std::cos(25.0 / deg_of_plane), 1e-12);
+  EXPECT_NEAR(planes[0].tool[1], -std::sin(25.0 / deg_of_plane), 1e-12);
+  EXPECT_NEAR(planes[0].tool[2], std::cos(25.0 / deg_of_plane), 1e-12);
   expect_angles(planes[0].axes, -25.0, 0.0);
   ASSERT_TRUE(planes[0].other);
-  EXPECT_EQ(planes[0].other->first, lang::FirstRotary::positive);
+  EXPECT_EQ(planes[0].other->word, "P1");
   expect_angles(planes[0].other->axes, 25.0, 180.0);
   EXPECT_FALSE(planes[0].other->limit_deg);
   EXPECT_EQ(planes[1].place.line, 6);
   expect_angles(planes[1].axes, 25.0, 180.0);
   ASSERT_TRUE(planes[1].other);
-  EXPECT_EQ(planes[1].other->first, lang::FirstRotary::negative);
+  EXPECT_EQ(planes[1].other->word, "P2");
   expect_angles(planes[1].other->axes, -25.0, 0.0);
 }
 

@@ -10,10 +10,11 @@
 #include "client/offline/check/check_record.h"
 #include "client/offline/check/check_report.h"
 #include "client/offline/check/law_report.h"
-#include "client/offline/check/plane_report.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
+#include "client/terminal/plane_table.h"
 #include "config/files/machine_file.h"
+#include "protocol/plane_json.h"
 #include "runtime/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
@@ -38,7 +39,7 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
     for (Diagnostic& diagnostic : result.diagnostics) {
       if (diagnostic.place.file == program.name) diagnostic.place.file = candidate.path;
     }
-    for (runtime::PlanePosition& plane : result.planes) {
+    for (PlanePosition& plane : result.planes) {
       if (plane.place.file == program.name) plane.place.file = candidate.path;
     }
   }
@@ -61,11 +62,13 @@ int print_checked(const std::vector<CheckedProgram>& programs, const CheckWanted
                   ProgramsNamed named) {
   int exit_code = 0;
   auto all = nlohmann::ordered_json::array();
+  PlanePositions planes;
   for (const CheckedProgram& program : programs) {
     for (const Diagnostic& diagnostic : program.diagnostics) {
       exit_code = std::max(exit_code, exit_code_of(diagnostic));
       all.push_back(to_json(diagnostic));
     }
+    planes.insert(planes.end(), program.planes.begin(), program.planes.end());
   }
   const bool has_folders = named == ProgramsNamed::by_folders;
   if (wanted.estimate && wanted.job.json) {
@@ -79,7 +82,7 @@ int print_checked(const std::vector<CheckedProgram>& programs, const CheckWanted
   } else {
     const Terminal terminal(STDOUT_FILENO);
     if (all.empty()) write_data(terminal.coloured("no errors", Colour::green) + "\n");
-    write_data(plane_table(programs, terminal));
+    write_data(plane_table(protocol::plane_json(planes), terminal));
   }
   return exit_code;
 }

@@ -1,5 +1,6 @@
 #include "client/offline/check/check_record.h"
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -78,43 +79,41 @@ runtime::LawBlock law_of(const json& record) {
   return law;
 }
 
-json angles_record(const std::vector<runtime::RotaryAngle>& axes) {
+json angles_record(const std::vector<RotaryAngle>& axes) {
   json record = json::array();
-  for (const runtime::RotaryAngle& axis : axes)
-    record.push_back(json::array({axis.word, axis.deg}));
+  for (const RotaryAngle& axis : axes) record.push_back(json::array({axis.word, axis.deg}));
   return record;
 }
 
-std::vector<runtime::RotaryAngle> angles_of(const json& record) {
-  std::vector<runtime::RotaryAngle> axes;
+std::vector<RotaryAngle> angles_of(const json& record) {
+  std::vector<RotaryAngle> axes;
   for (const json& axis : record) axes.push_back({axis.at(0), axis.at(1)});
   return axes;
 }
 
-json plane_record(const runtime::PlanePosition& plane) {
+json plane_record(const PlanePosition& plane) {
   json other = nullptr;
   if (plane.other) {
-    other = {static_cast<int>(plane.other->first), angles_record(plane.other->axes),
+    other = {plane.other->word, angles_record(plane.other->axes),
              optional_record(plane.other->limit_deg)};
   }
   return {{"file", plane.place.file},
           {"line", plane.place.line},
-          {"normal", plane.normal_B},
+          {"tool", plane.tool},
           {"axes", angles_record(plane.axes)},
           {"other", std::move(other)}};
 }
 
-runtime::PlanePosition plane_of(const json& record) {
-  runtime::PlanePosition plane;
+PlanePosition plane_of(const json& record) {
+  PlanePosition plane;
   plane.place.file = record.at("file");
   plane.place.line = record.at("line");
-  plane.normal_B = record.at("normal").get<lang::Direction>();
+  plane.tool = record.at("tool").get<std::array<double, 3>>();
   plane.axes = angles_of(record.at("axes"));
   const json& other = record.at("other");
   if (other.is_null()) return plane;
-  plane.other = {.first = static_cast<lang::FirstRotary>(other.at(0).get<int>()),
-                 .axes = angles_of(other.at(1)),
-                 .limit_deg = optional_of(other.at(2))};
+  plane.other = {
+      .word = other.at(0), .axes = angles_of(other.at(1)), .limit_deg = optional_of(other.at(2))};
   return plane;
 }
 
@@ -124,7 +123,7 @@ std::string check_record(const CheckedProgram& program) {
   json laws = json::array();
   for (const runtime::LawBlock& law : program.laws) laws.push_back(law_record(law));
   json planes = json::array();
-  for (const runtime::PlanePosition& plane : program.planes) planes.push_back(plane_record(plane));
+  for (const PlanePosition& plane : program.planes) planes.push_back(plane_record(plane));
   return bytes_of({{"file", program.file},
                    {"diagnostics", diagnostics_record(program.diagnostics)},
                    {"blocks", program.blocks},

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "base/place.h"
-#include "client/offline/check/plane_report.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/screen_text.h"
 #include "client/terminal/text_table.h"
+#include "protocol/plane_json.h"
 
 namespace stanok::client {
 namespace {
@@ -78,7 +78,7 @@ ordered_json summary_json(const std::vector<CheckedProgram>& programs) {
     one.update(fields(totals_of(program)));
     one["diagnostics"] = ordered_json::array();
     for (const Diagnostic& d : program.diagnostics) one["diagnostics"].push_back(to_json(d));
-    one["tilted_planes"] = plane_json({program});
+    one["tilted_planes"] = protocol::plane_json(program.planes);
     json["files"].push_back(std::move(one));
   }
   json["totals"] = fields(totals_of(programs));

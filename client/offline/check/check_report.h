@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/plane_position.h"
 #include "client/terminal/terminal.h"
 #include "runtime/dry_run/dry_run.h"
 
@@ -18,7 +19,7 @@ struct CheckedProgram {
   std::uint64_t blocks = 0;
   double seconds = 0.0;  // wall time of the check
   std::vector<runtime::LawBlock> laws{};
-  std::vector<runtime::PlanePosition> planes{};
+  PlanePositions planes{};
 };
 
 // One row for each program and their sum: file, blocks, errors, warnings, time.
@@ -26,7 +27,7 @@ struct CheckedProgram {
                                         const Terminal& terminal);
 
 // {"files": [{"file", "blocks", "errors", "warnings", "seconds", "diagnostics", "tilted_planes"}],
-// "totals": {...}}; planes as in plane_report.h.
+// "totals": {...}}; planes as in protocol/plane_json.h.
 [[nodiscard]] nlohmann::ordered_json summary_json(const std::vector<CheckedProgram>& programs);
 
 }  // namespace stanok::client

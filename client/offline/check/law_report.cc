@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "client/offline/check/plane_report.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/text_table.h"
+#include "protocol/plane_json.h"
 
 namespace stanok::client {
 namespace {
@@ -94,12 +94,14 @@ std::string estimate_table(const std::vector<CheckedProgram>& programs, const Te
 
 ordered_json estimate_json(const std::vector<CheckedProgram>& programs) {
   ordered_json json = {{"diagnostics", ordered_json::array()},
-                       {"feed_laws", ordered_json::array()}};
+                       {"feed_laws", ordered_json::array()},
+                       {"tilted_planes", ordered_json::array()}};
   for (const CheckedProgram& program : programs) {
     for (const Diagnostic& d : program.diagnostics) json["diagnostics"].push_back(to_json(d));
     for (const runtime::LawBlock& block : program.laws) json["feed_laws"].push_back(fields(block));
+    for (auto& plane : protocol::plane_json(program.planes))
+      json["tilted_planes"].push_back(std::move(plane));
   }
-  json["tilted_planes"] = plane_json(programs);
   return json;
 }
 
