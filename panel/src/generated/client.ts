@@ -251,7 +251,7 @@ export interface Methods {
       program: string;
     };
   };
-  /** errors and warnings of a program, without running it; another check of this connection ends this one */
+  /** errors and warnings of a program, without running it, and where the rotary axes will stand in its tilted planes; another check of this connection ends this one */
   "program.check": {
     params: {
       program: string;
@@ -277,6 +277,17 @@ export interface Methods {
       }[];
       ok: boolean;
       program: string;
+      tilted_planes: {
+        axes: Record<string, number>;
+        file: string;
+        line: number;
+        other?: {
+          axes: Record<string, number>;
+          limit?: number;
+          word: string;
+        };
+        tool: number[];
+      }[];
       version: string | null;
     };
   };
