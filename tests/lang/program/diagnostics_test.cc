@@ -1,8 +1,15 @@
 // Every code of the language is raised by some program, at the right place.
+#include <gmock/gmock.h>
+
 #include "tests/lang/program_support.h"
 
 namespace stanok::lang::testing {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct PlacedFaultCase {
   std::string text;
