@@ -74,8 +74,8 @@ void append_picture(std::string& text, const Diagnostic& d) {
   text += gutter + " |\n" + number + " | " + line.text + "\n" + gutter + " | ";
   text += padding(line.text, line.column);
   for (int k = 0; k < std::max(width, 1); ++k) text += '^';
-  text += " " + d.label + "\n";
-  text += gutter + " |\n";
+  if (!d.label.empty()) text += " " + d.label;
+  text += "\n" + gutter + " |\n";
 }
 
 }  // namespace

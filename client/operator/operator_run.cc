@@ -201,7 +201,7 @@ int run_operator_call(const OperatorCall& call) {
     std::fflush(stdout);
     client.listen(call.timeout_s > 0.0 ? deadline : std::nullopt);
   }
-  return 0;
+  return result_exit_code(*result);
 }
 
 }  // namespace stanok::client

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "client/operator/channel_text.h"
+#include "client/terminal/diagnostic_output.h"
+#include "client/terminal/exit_codes.h"
 #include "client/terminal/plane_table.h"
 #include "client/terminal/screen_text.h"
 #include "client/terminal/text_table.h"
+#include "protocol/diagnostic_json.h"
 #include "protocol/json_text.h"
 
 namespace stanok::client {
@@ -149,19 +152,23 @@ std::string queues_text(const json& result, const Terminal& terminal) {
   return text;
 }
 
-// A line for each diagnostic, as compilers write them.
+// One line of what came over the socket is one line on the screen.
+Diagnostic printable(Diagnostic diagnostic) {
+  for (std::string* text : {&diagnostic.code, &diagnostic.place.file, &diagnostic.message})
+    *text = one_line(*text);
+  for (Note& note : diagnostic.notes) note.text = one_line(note.text);
+  for (std::string& text : diagnostic.help) text = one_line(text);
+  for (std::string& text : diagnostic.stack) text = one_line(text);
+  return diagnostic;
+}
+
+// As `stanok check` prints them.
 std::string check_text(const json& result, const Terminal& terminal) {
   const json diagnostics = result.value("diagnostics", json::array());
   std::string text;
   if (diagnostics.empty()) text = terminal.coloured("no errors", Colour::green) + "\n";
-  for (const json& one : diagnostics) {
-    const bool is_error = one.value("severity", "") == "error";
-    const std::string head = one.value("severity", "") + "[" + one.value("code", "") + "]";
-    text += one_line(one.value("file", "")) + ":" + std::to_string(one.value("line", 0)) + ":" +
-            std::to_string(one.value("column", 0)) + ": " +
-            terminal.coloured(head, is_error ? Colour::red : Colour::yellow) + " " +
-            one_line(one.value("message", "")) + "\n";
-  }
+  for (const json& one : diagnostics)
+    text += coloured_text(printable(protocol::diagnostic_of(one)), terminal);
   return text + plane_table(result.value("tilted_planes", json::array()), terminal);
 }
 
@@ -182,6 +189,17 @@ std::string cell_text(const json& value) {
     text += (text.empty() ? "" : "  ") + name + " " + cell_text(member);
   }
   return text;
+}
+
+int result_exit_code(const json& result) {
+  if (!result.is_object() || result.value("ok", json(true)) != json(false)) return 0;
+  const json diagnostics = result.value("diagnostics", json::array());
+  for (const json& one : diagnostics) {
+    const int code = exit_code_of(protocol::diagnostic_of(one));
+    if (code != 0) return code;
+  }
+  const json alarm = result.value("alarm", json());
+  return alarm.is_object() ? exit_code_of(protocol::diagnostic_of(alarm)) : exit_failed;
 }
 
 std::string result_text(std::string_view method, const json& result, const Terminal& terminal) {

@@ -16,6 +16,10 @@ namespace stanok::client {
 [[nodiscard]] std::string result_text(std::string_view method, const nlohmann::json& result,
                                       const Terminal& terminal);
 
+// Exit code of a command whose result says that something is wrong ("ok": false): that of its first
+// error, or of its alarm; 1 where it names none. Everything else is 0.
+[[nodiscard]] int result_exit_code(const nlohmann::json& result);
+
 // A value in one cell: numbers short, lists and objects in one line, null as "-".
 [[nodiscard]] std::string cell_text(const nlohmann::json& value);
 

@@ -41,6 +41,19 @@ TEST(ExitCode, IsZeroWhenItWasDone) {
   EXPECT_EQ(exit_code_of("explain E6006"), 0);
 }
 
+// The daemon has answered, and the answer is that the program is wrong.
+TEST(ExitCode, IsSixWhenADaemonFindsErrorsInAProgram) {
+  const json answer = {{"program", "a.nc"},
+                       {"ok", false},
+                       {"diagnostics", {{{"code", "E4031"}, {"severity", "error"}}}}};
+  const FakeServer server([&](int c) {
+    say(c, hello);
+    EXPECT_EQ(json::parse(heard(c))["method"], "program.check");
+    say(c, protocol::answer_line(1, answer));
+  });
+  EXPECT_EQ(exit_code_of("--socket " + server.path().string() + " program check a.nc"), 6);
+}
+
 struct FailedCase {
   FailureKind kind;
   int exit_code;

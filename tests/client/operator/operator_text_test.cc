@@ -69,6 +69,57 @@ TEST(DiagnosticOutput, ColoursSeverityAndCode) {
   EXPECT_EQ(coloured_text(diagnostic, colour_terminal).find("\033[33mwarning[E4003]\033[0m"), 0U);
 }
 
+TEST(ResultText, ShowsErrorsOfAProgramAsStanokCheckDoes) {
+  const json error = {{"code", "E4031"},
+                      {"severity", "error"},
+                      {"file", "part.nc"},
+                      {"line", 3},
+                      {"column", 7},
+                      {"message", "two G codes of one group"},
+                      {"help", {"drop G1"}},
+                      {"notes", {{{"text", "the first one"}, {"line", 2}, {"file", "part.nc"}}}}};
+  const json absent = {{"code", "E7001"},
+                       {"severity", "error"},
+                       {"file", "absent.nc"},
+                       {"line", 0},
+                       {"message", "cannot be read"}};
+  EXPECT_EQ(
+      result_text("program.check", {{"ok", false}, {"diagnostics", {error, absent}}}, pipe_end),
+      "error[E4031]: two G codes of one group\n"
+      "  --> part.nc:3:7\n"
+      " note: the first one (part.nc:2)\n"
+      " help: drop G1\n"
+      "error[E7001]: cannot be read\n"
+      "  --> absent.nc\n");
+  EXPECT_EQ(result_text("program.check", {{"ok", true}, {"diagnostics", json::array()}}, pipe_end),
+            "no errors\n");
+}
+
+TEST(ResultText, KeepsWhatADaemonSaysOnItsLine) {
+  const json error = {{"code", "E4031"},
+                      {"file", "a\nb"},
+                      {"line", 1},
+                      {"message", "red\033[31m\nline"},
+                      {"help", {3, "x\ny"}}};
+  const std::string text =
+      result_text("program.check", {{"diagnostics", {error, 7, nullptr}}}, pipe_end);
+  EXPECT_EQ(text.find('\033'), std::string::npos);
+  EXPECT_EQ(text.find("a\nb"), std::string::npos);
+  EXPECT_EQ(text.find("x\ny"), std::string::npos);
+}
+
+TEST(ResultExitCode, IsThatOfTheFirstError) {
+  const json error = {{"code", "E4031"}, {"severity", "error"}};
+  const json warning = {{"code", "E4090"}, {"severity", "warning"}};
+  EXPECT_EQ(result_exit_code({{"ok", false}, {"diagnostics", {warning, error}}}), 6);
+  EXPECT_EQ(result_exit_code({{"ok", true}, {"diagnostics", {warning}}}), 0);
+  EXPECT_EQ(result_exit_code({{"ok", false}, {"alarm", {{"code", "E5101"}}}}), 6);
+  EXPECT_EQ(result_exit_code({{"ok", false}, {"alarm", {{"code", "A3001"}}}}), 7);
+  EXPECT_EQ(result_exit_code({{"ok", false}, {"findings", json::array()}}), 1);
+  EXPECT_EQ(result_exit_code({{"accepted", true}}), 0);
+  EXPECT_EQ(result_exit_code(json::array()), 0);
+}
+
 TEST(ResultText, IsSilentWhenThereIsNothingToTell) {
   EXPECT_EQ(result_text("program.hold", {{"accepted", true}}, pipe_end), "");
 }
