@@ -66,25 +66,25 @@ void PlanImprovement::improve(const PlannedPath& path, std::vector<Phase>& phase
   std::ranges::reverse(parts_);
   improved_.clear();
   done_ = 0.0;
-  std::size_t segment = 0;
-  std::size_t count = 0;  // of its phases
   while (!parts_.empty()) {
     const Part part = parts_.back();
     parts_.pop_back();
-    if (index_.at(part.s0) != segment) count = 0;
-    segment = index_.before(part.s1);
-    if (count > segment_phases_max || !may_gain(part)) continue;
-    const std::size_t before = improved_.size();
-    if (plan_part(phases, with_room(phases, part)) || plan_part(phases, part)) {
-      count += improved_.size() - std::min(before, improved_.size());
-    } else {
-      divide(phases, part);
-    }
+    if (phases_on(index_.at(part.s0)) > segment_phases_max || !may_gain(part)) continue;
+    const bool is_planned = plan_part(phases, with_room(phases, part)) || plan_part(phases, part);
+    if (!is_planned) divide(phases, part);
   }
   if (done_ == 0.0) return;
   append_between(phases, done_, unlimited, improved_);
   join_pace_limits();
   phases.swap(improved_);
+}
+
+// Of what is done.
+std::size_t PlanImprovement::phases_on(std::size_t segment) const {
+  const double start = index_.start(segment);
+  const auto on_it = [start](const Phase& phase) { return phase.s_end > start; };
+  const auto behind = std::ranges::find_if_not(improved_.rbegin(), improved_.rend(), on_it);
+  return static_cast<std::size_t>(behind - improved_.rbegin());
 }
 
 // Stretches that meet are run more slowly under limits that they have in common: those of their

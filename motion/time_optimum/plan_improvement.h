@@ -55,6 +55,7 @@ class PlanImprovement {
   [[nodiscard]] bool plan_alone(const std::vector<Phase>& phases, const Part& part);
   void divide(const std::vector<Phase>& phases, const Part& part);
 
+  [[nodiscard]] std::size_t phases_on(std::size_t segment) const;
   void join_pace_limits();
 
   StretchPlan stretch_plan_;

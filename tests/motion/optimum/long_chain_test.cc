@@ -58,5 +58,36 @@ TEST(LongChain, KeepsLimitsUnderOverridesWhereItsPartsMeet) {
   EXPECT_LE(used, 1.0 + 1e-9);
 }
 
+// Legs on which the feed is reached, with corners that are passed more slowly.
+std::vector<PathBlock> zigzag_of(int legs, double feed) {
+  constexpr double length = 20.0;
+  constexpr double turn = 0.25;
+  std::vector<PathBlock> blocks;
+  Point at{};
+  for (int n = 0; n < legs; ++n) {
+    at[0] += length * std::cos(0.5 * turn);
+    at[1] += (n % 2 == 0 ? 1.0 : -1.0) * length * std::sin(0.5 * turn);
+    blocks.push_back(line_to(at, feed));
+    blocks.back().tag = {.run = 1, .block = blocks.size()};
+  }
+  return blocks;
+}
+
+// Each corner is a stretch by itself, that begins on the leg on which the one before ended. All of
+// them have many more phases than a segment may have.
+TEST(LongChain, TheLastOfManyStretchesIsAsFastAsTheFirst) {
+  const MotionConfig config = three_axes(channel_limits);
+  const auto seconds = [&](int legs) {
+    PathBuilder builder(config);
+    builder.restart({});
+    for (const PathBlock& block : zigzag_of(legs, 130.0)) EXPECT_FALSE(builder.add(block));
+    builder.finish();
+    return 0.001 * static_cast<double>(run_path(config, builder.built()).size());
+  };
+  const double few = seconds(20);
+  const double more = seconds(40);
+  EXPECT_NEAR(seconds(240) - more, 10.0 * (more - few), 0.05);
+}
+
 }  // namespace
 }  // namespace stanok::motion::testing
