@@ -184,7 +184,8 @@ bool Interpolator::keeps_plan(const PathQueue& queue, const FeedControl& asked) 
 // Goes over to the plan where it comes to the very state of now.
 void Interpolator::rejoin_plan(PathQueue& queue, const FeedControl& asked) RT_SAFE {
   if (wants_nominal(queue, asked)) is_on_plan_ = plan_.rejoin(queue, cursor_, motion_);
-  if (is_on_plan_ || asked.hold || !may_keep_plan(queue, asked)) return;
+  // Before a gate the plan would have to be left again, and so on with ever shorter ways.
+  if (is_on_plan_ || asked.hold || sees_gate(queue, asked) || !may_keep_plan(queue, asked)) return;
   const double pace = asked_pace(cursor_.segment(queue), asked);
   is_on_plan_ = plan_.rejoin_at_pace(queue, cursor_, motion_, pace);
 }

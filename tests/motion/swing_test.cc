@@ -244,6 +244,29 @@ TEST(Swing, IsPassedAtTheSpeedOfTheClosedForm) {
   EXPECT_LT(slowest, 1.5 * even);
 }
 
+// As in single block. The plan is left before the gate, and is not taken up again on the way: it
+// would have to be left anew, a little nearer to the gate each time, for many seconds.
+TEST(Swing, AGateBehindItIsReachedSoon) {
+  const MotionConfig config = three_axes(channel_limits);
+  PathBuilder builder(config);
+  Point at{};
+  builder.restart(at);
+  double heading = 0.3;
+  for (std::uint64_t n = 1; n <= 6; ++n) {
+    at[0] += 10.0 * std::cos(heading);
+    at[1] += 10.0 * std::sin(heading);
+    heading += n % 2 == 1 ? 0.2 : -0.2;
+    PathBlock block = line_to(at, 5000.0 / 60.0);
+    block.tag = {.run = 1, .block = n};
+    EXPECT_FALSE(builder.add(block));
+  }
+  builder.finish();
+  // Three legs of 10 mm with a full stop behind each take 0.68 s.
+  const auto samples = run_path(
+      config, builder.built(), [](int) { return FeedControl{.closed_from_block = 3}; }, 1500);
+  EXPECT_TRUE(samples.back().out.at_gate);
+}
+
 // Which curve a corner has, by the number of segments, is the same at every feed: so a higher feed
 // cannot be slower for another curve.
 TEST(Swing, IsTakenAtEveryFeedOrAtNone) {
