@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, describe, test } from 'node:test';
 import { listenToGraphics } from './drawn_lines.mjs';
-import { bin, root, setStage, until } from './stage.mjs';
+import { bin, full, root, setStage, until } from './stage.mjs';
 
 // What the planned path may leave out (docs/reference/protocol.md#programs), and Float32 of some hundred millimetres.
 const tolerance_mm = 0.01 + 1e-4;
@@ -381,8 +381,9 @@ situations('on a lathe', 'lathe.toml', (here) => {
   test('a turned part', (context) => here.check(context, turned));
 });
 
+// A whole part, which takes long: when it is full (ctest panel.drawn_long).
 situations('while a mill works on tilted planes', 'trunnion.toml', (here) => {
-  test('the part is cut where its planes lie', async () => {
+  test('the part is cut where its planes lie', { skip: !full }, async () => {
     await here.load(flat);
     const { page, stage } = here;
     const name = 'tilted_planes.nc';
