@@ -199,7 +199,8 @@ int result_exit_code(const json& result) {
     if (code != 0) return code;
   }
   const json alarm = result.value("alarm", json());
-  return alarm.is_object() ? exit_code_of(protocol::diagnostic_of(alarm)) : exit_failed;
+  const int code = alarm.is_object() ? exit_code_of(protocol::diagnostic_of(alarm)) : 0;
+  return code != 0 ? code : exit_failed;
 }
 
 std::string result_text(std::string_view method, const json& result, const Terminal& terminal) {

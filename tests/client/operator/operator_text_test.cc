@@ -115,6 +115,8 @@ TEST(ResultExitCode, IsThatOfTheFirstError) {
   EXPECT_EQ(result_exit_code({{"ok", true}, {"diagnostics", {warning}}}), 0);
   EXPECT_EQ(result_exit_code({{"ok", false}, {"alarm", {{"code", "E5101"}}}}), 6);
   EXPECT_EQ(result_exit_code({{"ok", false}, {"alarm", {{"code", "A3001"}}}}), 7);
+  EXPECT_EQ(
+      result_exit_code({{"ok", false}, {"alarm", {{"code", "W801"}, {"severity", "warning"}}}}), 1);
   EXPECT_EQ(result_exit_code({{"ok", false}, {"findings", json::array()}}), 1);
   EXPECT_EQ(result_exit_code({{"accepted", true}}), 0);
   EXPECT_EQ(result_exit_code(json::array()), 0);
