@@ -43,11 +43,11 @@ constexpr Parameter event{.name = "event",
                           .maximum = 8,
                           .help = "code of the event, like E6010; default: any"};
 
-constexpr Parameter line{.name = "line",
-                         .type = ParameterType::integer,
-                         .minimum = 1,
-                         .maximum = 4e9,
-                         .help = "line of the block that begins"};
+constexpr Parameter begun_line{.name = "line",
+                               .type = ParameterType::integer,
+                               .minimum = 1,
+                               .maximum = 4e9,
+                               .help = "line of the block that begins"};
 
 constexpr Parameter before{.name = "before_s",
                            .type = ParameterType::number,
@@ -70,8 +70,8 @@ constexpr Parameter first{.name = "from",
                           .maximum = 1e9,
                           .help = "cycle of the recording with which the answer begins; default 0"};
 
-constexpr std::array of_scope_start{signals, trigger, signal,  level,  edge,
-                                    event,   line,    channel, before, length};
+constexpr std::array of_scope_start{signals, trigger,    signal,  level,  edge,
+                                    event,   begun_line, channel, before, length};
 constexpr std::array of_scope_read{first};
 
 constexpr Parameter log_name = required_text("file", "name of a log, as history.logs tells it");

@@ -64,7 +64,7 @@ constexpr auto first_members = std::to_array<std::string_view>(
     {"id", "name", "state", "program_status", "held_by", "alarm", "program", "run", "line", "block",
      "scheme", "position", "feed_mm_s", "speed_mm_s", "override", "remaining_s"});
 
-std::string number_text(double value) {
+std::string member_number(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e9)
     return std::to_string(static_cast<long>(value));
   std::array<char, 32> text{};
@@ -123,7 +123,7 @@ std::string offsets_text(const json& result, const Terminal& terminal) {
   TextTable table(headings);
   for (const auto& [name, row] : offsets.items()) {
     std::vector<std::string> cells{name};
-    for (const std::string& axis : axes) cells.push_back(number_text(row.value(axis, 0.0)));
+    for (const std::string& axis : axes) cells.push_back(member_number(row.value(axis, 0.0)));
     table.add_row(std::move(cells));
   }
   return table.text(terminal);
@@ -179,7 +179,7 @@ std::string cell_text(const json& value) {
   if (value.is_string()) return one_line(value.get<std::string>());
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_integer()) return protocol::json_text(value);
-  if (value.is_number()) return number_text(value.get<double>());
+  if (value.is_number()) return member_number(value.get<double>());
   std::string text;
   if (value.is_array()) {
     for (const json& entry : value) text += (text.empty() ? "" : ", ") + cell_text(entry);

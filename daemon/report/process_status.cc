@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/enum_names.h"
+#include "base/units.h"
 
 namespace stanok::daemon {
 namespace {
@@ -60,7 +61,6 @@ json number_or_null(double value) {
 
 json force_control(const channels::ProcessOutput& process) {
   if (!process.has_force_control) return nullptr;
-  constexpr double s_per_min = 60.0;
   const motion::ForceStatus& force = process.force;
   return {{"state", force_state_names[force.state]},
           {"force_set_n", force.force_now_n},
@@ -69,9 +69,9 @@ json force_control(const channels::ProcessOutput& process) {
           {"power_idle_w", force.power_idle_w},
           {"idle_captures", force.captures},
           {"radius_mm", force.radius_mm},
-          {"feed_mm_min", s_per_min * force.feed_per_s},
-          {"feed_min_mm_min", s_per_min * force.feed_min_per_s},
-          {"feed_max_mm_min", s_per_min * force.feed_max_per_s},
+          {"feed_mm_min", seconds_per_minute * force.feed_per_s},
+          {"feed_min_mm_min", seconds_per_minute * force.feed_min_per_s},
+          {"feed_max_mm_min", seconds_per_minute * force.feed_max_per_s},
           {"vibration_um", force.vibration_um},
           {"vibration_hz", force.vibration_hz},
           {"level_um", force.level_um},

@@ -6,6 +6,7 @@
 #include "base/catalogue.h"
 #include "base/enum_names.h"
 #include "base/place.h"
+#include "base/units.h"
 #include "daemon/report/channel_display.h"
 #include "daemon/report/part_json.h"
 #include "daemon/report/process_status.h"
@@ -17,8 +18,6 @@ namespace {
 using channels::ChannelOutput;
 using channels::ChannelState;
 using nlohmann::json;
-
-constexpr double s_per_min = 60.0;
 
 // OPC 40501, channel state machine.
 const char* channel_state_word(ChannelState state) {
@@ -346,9 +345,9 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"axes", axes_json(machine_.file().machine, config, output)},
           {"feed_mm_s", output.feed_commanded},
           {"speed_mm_s", output.path_speed},
-          {"feed_mm_min", output.feed_commanded * s_per_min},
+          {"feed_mm_min", output.feed_commanded * seconds_per_minute},
           {"feed_mm_rev", output.process.feed_mm_per_rev},
-          {"speed_mm_min", output.path_speed * s_per_min},
+          {"speed_mm_min", output.path_speed * seconds_per_minute},
           {"g_codes", lang::names_of(block.codes, 'G')},
           {"m_codes", lang::names_of(block.codes, 'M')},
           {"tool", tool_at_work(output.tool, books.tables)},

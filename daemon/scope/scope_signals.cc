@@ -3,13 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "base/units.h"
+
 namespace stanok::daemon {
 namespace {
 
 using channels::ChannelOutput;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double s_per_min = 60.0;
 constexpr double us_per_ns = 1e-3;
 
 std::optional<double> limit_of(double value) {
@@ -67,8 +68,9 @@ void add_channel(int id, std::vector<ScopeSignal>& signals) {
     };
     signals.push_back({prefix + what, unit, {}, read});
   };
-  add("speed", "mm/min", [](const ChannelOutput& c) { return c.path_speed * s_per_min; });
-  add("feed", "mm/min", [](const ChannelOutput& c) { return c.feed_commanded * s_per_min; });
+  add("speed", "mm/min", [](const ChannelOutput& c) { return c.path_speed * seconds_per_minute; });
+  add("feed", "mm/min",
+      [](const ChannelOutput& c) { return c.feed_commanded * seconds_per_minute; });
   add("override", "%", [](const ChannelOutput& c) { return c.feed_override * 100.0; });
   add("line", "", [](const ChannelOutput& c) { return static_cast<double>(c.tag.line); });
   add("spindle", "rev/min", [](const ChannelOutput& c) { return c.process.spindle_rev_per_min; });

@@ -8,6 +8,7 @@
 
 #include "lang/actions/actions.h"
 #include "lang/actions/block_execution.h"
+#include "lang/block/axis_words.h"
 
 namespace stanok::lang {
 namespace {
@@ -29,19 +30,8 @@ std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
   return tool;
 }
 
-struct PlaneAxes {
-  AxisIndex first;
-  AxisIndex second;
-};
-
-PlaneAxes axes_of_plane(const ActiveBlock& block) {
-  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
-  return {block.channel_words.geometry_axis(plane.first),
-          block.channel_words.geometry_axis(plane.second)};
-}
-
 bool has_plane(ActiveBlock& block, CodeNumber code) {
-  const PlaneAxes plane = axes_of_plane(block);
+  const PlaneAxes plane = plane_axes(block);
   if (plane.first.exists() && plane.second.exists()) return true;
   block
       .fail("E4036", {'G', code, {}},
@@ -53,7 +43,7 @@ bool has_plane(ActiveBlock& block, CodeNumber code) {
 
 // Whether the plane is mirrored: left becomes right.
 bool mirrors(const ActiveBlock& block) {
-  const PlaneAxes plane = axes_of_plane(block);
+  const PlaneAxes plane = plane_axes(block);
   return block.modal.map.gain(plane.first) * block.modal.map.gain(plane.second) < 0.0;
 }
 

@@ -31,7 +31,7 @@ namespace {
 
 // Passes that one block may make; all of them are held at once.
 constexpr double levels_max = 10000.0;
-constexpr int passes_max = 9999;
+constexpr int roughing_passes_max = 9999;
 
 // Words that the code does not have on this channel, or not in this form.
 void refuse_words(ActiveBlock& block, std::string_view refused) {
@@ -150,7 +150,7 @@ void take_repeating_settings(ActiveBlock& block) {
   if (block.has('U')) settings.relief_x = block.length('U');
   if (block.has('W')) settings.relief_z = block.length('W');
   if (!block.has('R')) return;
-  if (const auto passes = block.integer('R', 1, passes_max)) settings.passes = *passes;
+  if (const auto passes = block.integer('R', 1, roughing_passes_max)) settings.passes = *passes;
 }
 
 // G73 P Q I K D: one line, as Haas has it. I (a radius) and K are the way from the last pass to the
@@ -159,7 +159,7 @@ void take_passes_of_line(ActiveBlock& block) {
   RepeatingSettings& settings = block.modal.cycles.repeating;
   settings.relief_x = block.has('I') ? block.length('I') : 0.0;
   settings.relief_z = block.has('K') ? block.length('K') : 0.0;
-  if (const auto passes = block.integer('D', 1, passes_max)) settings.passes = *passes;
+  if (const auto passes = block.integer('D', 1, roughing_passes_max)) settings.passes = *passes;
 }
 
 // One pass along the contour, shifted; it begins at the start point shifted in the same way.
@@ -224,7 +224,7 @@ void repeat_contour(ActiveBlock& block, CodeNumber code) {
 }
 
 constexpr double profile_levels_max = 10000.0;
-constexpr int finishing_passes_max = 1000;
+constexpr int finishing_roughing_passes_max = 1000;
 constexpr double usual_increment = 1.0;  // in units of the program, as the manual has them
 constexpr double usual_retract = 0.5;
 
@@ -459,7 +459,7 @@ void rough_profile(ActiveBlock& block, CodeNumber code) {
 void finish_profile(ActiveBlock& block, CodeNumber code) {
   auto moves = CycleMoves::of(block, code);
   if (!moves) return;
-  const auto passes = block.has('P') ? block.integer('P', 1, finishing_passes_max) : 1;
+  const auto passes = block.has('P') ? block.integer('P', 1, finishing_roughing_passes_max) : 1;
   if (!passes) return;
   Profile profile(block, code);
   const TurningPoint start = go_to_start(*moves);

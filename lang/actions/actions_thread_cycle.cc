@@ -20,7 +20,7 @@
 namespace stanok::lang {
 namespace {
 
-constexpr int passes_max = 1000;
+constexpr int thread_passes_max = 1000;
 
 // What both forms come to.
 struct Thread {
@@ -69,7 +69,7 @@ void add_passes(ActiveBlock& block, Thread& thread, double first, double exponen
                 int spring) {
   double depth = 0.0;
   for (int n = 1; depth < thread.depth; ++n) {
-    if (n > passes_max) {
+    if (n > thread_passes_max) {
       block.fail("E4063", {'J', -1, {}}, "G76 makes more than 1000 passes", "too small");
       return;
     }

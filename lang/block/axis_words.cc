@@ -16,6 +16,12 @@ bool take_axis_value(ActiveBlock& block, AxisIndex axis, double value) {
 
 }  // namespace
 
+PlaneAxes plane_axes(const ActiveBlock& block) {
+  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
+  return {block.channel_words.geometry_axis(plane.first),
+          block.channel_words.geometry_axis(plane.second)};
+}
+
 bool is_length(const ActiveBlock& block, AxisIndex axis) {
   return !block.channel.axes[axis].rotary || block.modal.face_axis() == axis;
 }

@@ -12,6 +12,13 @@ void collect_incremental_words(ActiveBlock& block, const BlockCodes& codes);
 // Whether an axis is programmed in mm: all that are not rotary, and C on the polar face.
 [[nodiscard]] bool is_length(const ActiveBlock& block, AxisIndex axis);
 
+// The axes of the active plane; the channel may lack one.
+struct PlaneAxes {
+  AxisIndex first;
+  AxisIndex second;
+};
+[[nodiscard]] PlaneAxes plane_axes(const ActiveBlock& block);
+
 // The words `@` and `^` stand for X and Y; fails where they cannot (polar_words.cc).
 void collect_polar_words(ActiveBlock& block);
 

@@ -21,17 +21,6 @@
 namespace stanok::lang {
 namespace {
 
-struct PlaneAxes {
-  AxisIndex first;
-  AxisIndex second;
-};
-
-PlaneAxes plane_axes(const ActiveBlock& block) {
-  const PlaneCoordinates& plane = plane_coordinates[block.modal.plane()];
-  return {block.channel_words.geometry_axis(plane.first),
-          block.channel_words.geometry_axis(plane.second)};
-}
-
 void centre_at_position(const ActiveBlock& block, const PlaneAxes& axes, PolarInput& polar) {
   polar.centre = {block.modal.programmed_position(axes.first),
                   block.modal.programmed_position(axes.second)};

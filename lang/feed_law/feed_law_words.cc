@@ -54,12 +54,12 @@ bool belongs_to(std::string_view law, LawAddress address) {
   });
 }
 
-std::string title(std::string_view law) {
+std::string law_title(std::string_view law) {
   return "the " + std::string(law) + " law";
 }
 
 std::string remedy(std::string_view law) {
-  return title(law) + " is written " + forms_text(law);
+  return law_title(law) + " is written " + forms_text(law);
 }
 
 // The first of the words that are there and right names the law, with its value.
@@ -67,26 +67,26 @@ BlockFault missing_address(const LawForm& form, const LawWords& words, LawAddres
   const LawAddress present = first_of(static_cast<LawAddressSet>(
       (words.set & must_of(form)) != 0 ? words.set & must_of(form) : words.set));
   const std::string name = "`" + std::string(name_of(missing)) + "`";
-  BlockFault fault =
-      fault_at("E4330", word_name(present),
-               title(form.law) + " with " + word_text(words, present) + " needs " + name + ", too",
-               "no " + name);
+  BlockFault fault = fault_at(
+      "E4330", word_name(present),
+      law_title(form.law) + " with " + word_text(words, present) + " needs " + name + ", too",
+      "no " + name);
   fault.help.push_back(remedy(form.law));
   return fault;
 }
 
 BlockFault excess_address(const LawForm& form, const LawWords& words, LawAddress excess) {
   if (belongs_to(form.law, excess)) {
-    BlockFault fault =
-        fault_at("E4331", word_name(excess),
-                 word_text(words, excess) + " is one too many for " + title(form.law), "leave out");
+    BlockFault fault = fault_at(
+        "E4331", word_name(excess),
+        word_text(words, excess) + " is one too many for " + law_title(form.law), "leave out");
     fault.help.push_back(remedy(form.law));
     return fault;
   }
   const std::string_view other = form_with(excess).law;
   BlockFault fault = fault_at("E4332", word_name(excess),
-                              word_text(words, excess) + " belongs to " + title(other) +
-                                  ", the other words to " + title(form.law),
+                              word_text(words, excess) + " belongs to " + law_title(other) +
+                                  ", the other words to " + law_title(form.law),
                               "of another law");
   fault.help.push_back(remedy(form.law));
   fault.help.push_back(remedy(other));

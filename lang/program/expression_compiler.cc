@@ -8,10 +8,6 @@
 namespace stanok::lang {
 namespace {
 
-bool is_comparison(Operation operation) {
-  return operation >= Operation::less && operation <= Operation::not_equal;
-}
-
 bool is_equality(Operation operation) {
   return operation == Operation::equal || operation == Operation::not_equal;
 }

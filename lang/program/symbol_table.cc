@@ -5,14 +5,6 @@
 #include "lang/tree/builtin.h"
 
 namespace stanok::lang {
-namespace {
-
-bool is_comparison(Operation operation) {
-  return operation >= Operation::less && operation <= Operation::not_equal;
-}
-
-}  // namespace
-
 SymbolTable::SymbolTable(const CompilerContext& context, CodeBuilder& code)
     : context_(context), reporter_(context.reporter), file_(context.compiled()), code_(code) {
   open_scope();

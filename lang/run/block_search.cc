@@ -103,7 +103,7 @@ const char* omission_of(RequestKind kind) {
 
 constexpr int longest_number = 9;  // digits
 
-std::optional<int> whole_number(std::string_view digits) {
+std::optional<int> number_of(std::string_view digits) {
   int number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const bool is_number = error == std::errc() && end == digits.data() + digits.size();
@@ -122,7 +122,7 @@ std::optional<SearchTarget> search_target(std::string_view text) {
     if (target.file.empty()) return std::nullopt;
   }
   const bool is_block = text.starts_with('N') || text.starts_with('n');
-  const auto number = whole_number(is_block ? text.substr(1) : text);
+  const auto number = number_of(is_block ? text.substr(1) : text);
   if (!number || (!is_block && *number == 0)) return std::nullopt;
   if (is_block) {
     target.block_number = number;

@@ -41,7 +41,7 @@ const BinaryOperator* operator_at(const Token& token, int level) {
   return nullptr;
 }
 
-bool is_comparison(int level) {
+bool is_level_of_comparison(int level) {
   return level == 2 || level == 3;
 }
 
@@ -108,7 +108,7 @@ MaybeExpression ExpressionParser::parse_binary(int level) {
     const Token token = scanner_.peek(cursor_.line_ends());
     const BinaryOperator* const found = operator_at(token, level);
     if (found == nullptr) break;
-    if (count > 0 && is_comparison(level)) {
+    if (count > 0 && is_level_of_comparison(level)) {
       reporter_.error("E2008", token.span, "comparisons do not chain", "second comparison")
           .help.push_back("join them with `&&`, e.g. `aa < bb && bb < cc`");
       return std::nullopt;

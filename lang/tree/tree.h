@@ -60,6 +60,10 @@ enum class Operation : std::uint8_t {
   macro_xor,
 };
 
+[[nodiscard]] constexpr bool is_comparison(Operation operation) {
+  return operation >= Operation::less && operation <= Operation::not_equal;
+}
+
 enum class Node : std::uint8_t {
   number,
   boolean,

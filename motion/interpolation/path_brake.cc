@@ -18,7 +18,7 @@ constexpr double sample_time = 0.002;  // s
 constexpr double sample_part = 1.0 / 12.0;
 constexpr double use_max = 0.98;  // what the spacing, which is not even, may hide is less
 constexpr std::size_t samples_max = 400;
-constexpr double rounding = 1e-9;
+constexpr double brake_rounding = 1e-9;
 
 }  // namespace
 
@@ -69,15 +69,15 @@ bool PathBrake::keeps_limits(const Phase& phase, Place& place, std::size_t& samp
     if (++samples > samples_max) return false;
     const PathMotion motion = motion_at(phase, t);
     const double length = queue_->segments[place.segment].length;
-    const double to_end = std::max(place.start + length - motion.s, rounding * length);
+    const double to_end = std::max(place.start + length - motion.s, brake_rounding * length);
     const double at_speed = std::min(
-        sample_time, std::min(sample_part * length, to_end) / std::max(motion.v, rounding));
+        sample_time, std::min(sample_part * length, to_end) / std::max(motion.v, brake_rounding));
     const double gained = std::max({motion.a, motion.a + phase.j * at_speed, 0.0}) * at_speed;
     const double slower = motion.v > 0.0 ? motion.v / (motion.v + gained) : 1.0;
     // No step is much shorter than the one before it for the end of the phase alone.
     const double left = phase.duration - t;
     const double step = std::min(slower * at_speed, 0.5 * phase.duration);
-    t = step < left ? t + left / std::ceil(left / step - rounding) : phase.duration;
+    t = step < left ? t + left / std::ceil(left / step - brake_rounding) : phase.duration;
     if (!sample(motion_at(phase, t), place, uses[k % 3])) return false;
     uses[k % 3].t = t;
     if (k < 2) continue;
@@ -94,7 +94,7 @@ bool PathBrake::sample(const PathMotion& motion, Place& place, Uses& uses) const
   }
   const Segment& segment = queue_->segments[place.segment];
   const double v_max = std::min(segment.feed_per_s, 1.0 / segment.bounds.chords);
-  if (motion.v > v_max * (1.0 + rounding)) return false;
+  if (motion.v > v_max * (1.0 + brake_rounding)) return false;
   JetPoint point_s;
   JetPoint point;
   JetPoint axes;
@@ -109,7 +109,7 @@ bool PathBrake::sample(const PathMotion& motion, Place& place, Uses& uses) const
   for (int k = 0; k < config_.axis_count; ++k) {
     const AxisLimits& limits = config_.axes[k];
     const double speed_max = segment.rapid ? limits.rapid_speed_max() : limits.velocity_max;
-    uses.velocity[k] = use_max * axes[k].first / (speed_max * (1.0 + rounding));
+    uses.velocity[k] = use_max * axes[k].first / (speed_max * (1.0 + brake_rounding));
     uses.acceleration[k] = axes[k].second / limits.acceleration_max;
     uses.jerk[k] = axes[k].third / limits.jerk_max;
   }

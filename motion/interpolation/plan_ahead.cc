@@ -13,7 +13,7 @@ namespace {
 constexpr double pause_time = 2.0;  // s
 constexpr double pause_ramps = 2.0;
 
-bool is_even(const Phase& phase) RT_SAFE {
+bool is_at_one_speed(const Phase& phase) RT_SAFE {
   return phase.a == 0.0 && phase.j == 0.0 && phase.v > 0.0;
 }
 
@@ -131,7 +131,7 @@ bool raises_feed(const Segment& segment, const FeedControl& asked) RT_SAFE {
 }
 
 bool holds_feed(const Phase& phase, const Segment& segment) RT_SAFE {
-  return is_even(phase) && phase.v == segment.feed_per_s;
+  return is_at_one_speed(phase) && phase.v == segment.feed_per_s;
 }
 
 double rest_distance(const PathQueue& queue, const PathCursor& cursor, double s, double v,
@@ -157,7 +157,7 @@ PlanStart next_plan_start(const PathQueue& queue, const PathCursor& cursor, Plan
     const Phase& phase = queue.phases[k];
     const double start = phase.s + (k < own ? 0.0 : cursor.chunk().length);
     if (start > farthest) break;
-    const bool counts = phase.pace.holds() || (kind == PlanKind::every && !is_even(phase));
+    const bool counts = phase.pace.holds() || (kind == PlanKind::every && !is_at_one_speed(phase));
     if (counts && phase.a == 0.0 && start >= s) return {.s = start, .v = phase.v};
   }
   return {};

@@ -48,7 +48,7 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
 }
 
 // A program whose check ended the process that did it.
-CheckedProgram lost(const Candidate& candidate, const std::string& death) {
+CheckedProgram lost_check(const Candidate& candidate, const std::string& death) {
   Diagnostic diagnostic;
   diagnostic.code = "E8006";
   diagnostic.place.file = candidate.path;
@@ -106,14 +106,14 @@ LibraryWork check_work(const CheckWanted& wanted) {
 
 LibraryOutput check_output(const CheckWanted& wanted, ProgramsNamed named) {
   const auto programs = std::make_shared<std::vector<CheckedProgram>>();
-  return {
-      .take =
-          [=](const Candidate& candidate, const std::string& result, const std::string& death) {
-            programs->push_back(death.empty() ? checked_program(result) : lost(candidate, death));
-            if (wanted.job.json) return;
-            for (const Diagnostic& diagnostic : programs->back().diagnostics) print(diagnostic);
-          },
-      .finish = [=] { return print_checked(*programs, wanted, named); }};
+  return {.take =
+              [=](const Candidate& candidate, const std::string& result, const std::string& death) {
+                programs->push_back(death.empty() ? checked_program(result)
+                                                  : lost_check(candidate, death));
+                if (wanted.job.json) return;
+                for (const Diagnostic& diagnostic : programs->back().diagnostics) print(diagnostic);
+              },
+          .finish = [=] { return print_checked(*programs, wanted, named); }};
 }
 
 }  // namespace stanok::client

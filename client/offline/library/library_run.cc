@@ -1,14 +1,13 @@
 #include "client/offline/library/library_run.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <thread>
 #include <utility>
 
 #include "client/offline/library/digest.h"
 #include "client/offline/library/result_cache.h"
+#include "client/offline/library/whole_file.h"
 #include "client/offline/library/work_pool.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
@@ -119,9 +118,7 @@ class LibraryRun {
 };
 
 std::string digest_of_this_program() {
-  std::ifstream stream("/proc/self/exe", std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  return digest_of(bytes);
+  return digest_of(bytes_in("/proc/self/exe"));
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "client/offline/library/result_cache.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
@@ -33,11 +31,6 @@ bool is_the_same(const json& reading, const lang::Files& files) {
   const auto now = files.read(name, from);
   if (!now) return digest.empty();
   return (*now)->path == reading.at(2).get<std::string>() && digest_of((*now)->text) == digest;
-}
-
-std::string bytes_in(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -34,6 +35,11 @@ bool write_whole(const fs::path& file, std::string_view bytes) {
   std::error_code ignored;
   fs::remove(fresh, ignored);
   return false;
+}
+
+std::string bytes_in(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace stanok::client

@@ -2,12 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "client/offline/library/whole_file.h"
 #include "client/offline/workpiece/simulated_parts.h"
 
 namespace stanok::client {
@@ -42,11 +41,6 @@ class PassingFolder {
  private:
   std::optional<fs::path> path_;
 };
-
-std::string bytes_in(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 }  // namespace
 

@@ -139,7 +139,7 @@ SimulatedProgram program_of(const std::string& bytes) {
 }
 
 // A program whose run ended the process that did it.
-SimulatedProgram lost(const Candidate& candidate, const std::string& death) {
+SimulatedProgram lost_simulation(const Candidate& candidate, const std::string& death) {
   Diagnostic found = diagnostic("E8006", Severity::error,
                                 "the run of " + candidate.path + " ended its process: " + death);
   found.place.file = candidate.path;
@@ -179,15 +179,15 @@ std::vector<std::string> asked_of(const LibrarySimulation& wanted) {
   return asked;
 }
 
-struct Totals {
+struct SimulationTotals {
   std::size_t failed = 0;
   std::uint64_t blocks = 0;
   double time_s = 0.0;
   double path_mm = 0.0;
 };
 
-Totals totals_of(const std::vector<SimulatedProgram>& programs) {
-  Totals sum;
+SimulationTotals simulation_totals(const std::vector<SimulatedProgram>& programs) {
+  SimulationTotals sum;
   for (const SimulatedProgram& program : programs) {
     if (!program.ok) ++sum.failed;
     sum.blocks += program.blocks;
@@ -216,7 +216,7 @@ std::string simulated_table(const std::vector<SimulatedProgram>& programs,
     add(valid_utf8(program.file), program.blocks, program.time_s, program.path_mm,
         outcome_of(program));
   }
-  const Totals sum = totals_of(programs);
+  const SimulationTotals sum = simulation_totals(programs);
   add(std::to_string(programs.size()) + " programs", sum.blocks, sum.time_s, sum.path_mm,
       std::to_string(sum.failed) + " failed");
   return table.text(terminal);
@@ -237,7 +237,7 @@ ordered_json simulated_json(const std::vector<SimulatedProgram>& programs) {
       one["diagnostics"].push_back(to_json(found));
     all["files"].push_back(std::move(one));
   }
-  const Totals sum = totals_of(programs);
+  const SimulationTotals sum = simulation_totals(programs);
   all["totals"] = {{"programs", programs.size()},
                    {"failed", sum.failed},
                    {"blocks", sum.blocks},
@@ -265,7 +265,7 @@ LibraryOutput simulation_output(const LibrarySimulation& wanted) {
   const auto programs = std::make_shared<std::vector<SimulatedProgram>>();
   const auto take = [=](const Candidate& candidate, const std::string& result,
                         const std::string& death) {
-    programs->push_back(death.empty() ? program_of(result) : lost(candidate, death));
+    programs->push_back(death.empty() ? program_of(result) : lost_simulation(candidate, death));
     write_pictures(programs->back(), picture_of(candidate, wanted.pictures));
     if (wanted.job.json) return;
     for (const Diagnostic& found : programs->back().diagnostics) print(found);
