@@ -24,7 +24,7 @@ endif()
 
 set(python_package ${CMAKE_BINARY_DIR}/python/stanok)
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/python/native/*.cc)
-stanok_units(units stanok_python_native ${sources})
+stanok_units(units stanok_python_native ${stanok_unit_most} ${sources})
 pybind11_add_module(stanok_python_native MODULE NO_EXTRAS ${units})
 target_include_directories(stanok_python_native PRIVATE ${CMAKE_SOURCE_DIR})
 target_link_libraries(stanok_python_native PRIVATE stanok_warnings)
