@@ -61,7 +61,13 @@ if(STANOK_SANITIZE)
     # g++ 12 miscompiles the member-pointer calls of LCM's subscribe under -fsanitize=vptr.
     add_compile_options(-fno-sanitize=vptr -fno-sanitize-recover=all)
   endif()
-  if(STANOK_SANITIZE STREQUAL "thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  if(STANOK_SANITIZE STREQUAL "thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    # Tests have operators new and delete of their own, which the static library of ThreadSanitizer does not allow.
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libclang_rt.tsan-${CMAKE_HOST_SYSTEM_PROCESSOR}.so
+      OUTPUT_VARIABLE shared_sanitizer OUTPUT_STRIP_TRAILING_WHITESPACE)
+    get_filename_component(shared_sanitizer ${shared_sanitizer} DIRECTORY)
+    add_link_options(-shared-libsan LINKER:-rpath,${shared_sanitizer})
+  elseif(STANOK_SANITIZE STREQUAL "thread")
     # Asio's fences are not modelled by ThreadSanitizer; its queues synchronise by mutexes besides.
     add_compile_options(-Wno-tsan)
   endif()
