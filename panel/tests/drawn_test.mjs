@@ -170,6 +170,18 @@ async function drawnOn(page, { begin, count }) {
   return points.flatMap((point, k) => (k % 2 === 0 ? [[point, points[k + 1]]] : []));
 }
 
+/** From where the path is seen: of a picture that stands, and that no frame changes any more. */
+async function seenFrom(page) {
+  return until('a picture that stands', () =>
+    page.evaluate(async () => {
+      const before = window.drawnFrom();
+      for (let frame = 0; frame < 5; ++frame) await new Promise(requestAnimationFrame);
+      const stands = document.querySelector('canvas')?.dataset.how === 'standing';
+      return stands && before.length > 0 && `${before}` === `${window.drawnFrom()}` && before;
+    }),
+  );
+}
+
 function compare(context, drawn, traced) {
   assert.ok(Math.max(...drawn.map(([a, b]) => apart(a, b))) > 1, 'chords, not every cycle');
   const added = farthest(drawn.flat(), traced);
@@ -278,11 +290,7 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
     await page.mouse.down();
     await page.mouse.move(x + width / 2 + 60, y + height / 2 + 20, { steps: 4 });
     await page.mouse.up();
-    const stands = () => canvas.evaluate(({ dataset }) => dataset.how === 'standing');
-    const from = async () => {
-      await until('a picture that stands', stands);
-      return page.evaluate(() => window.drawnFrom());
-    };
+    const from = () => seenFrom(page);
     const seen = await from();
     await stage.client.call('mdi', { text: 'G0 A-20', channel: 1, wait: 'done' });
     await until('the tool leans on the part', async () => {
@@ -323,7 +331,7 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
   test('seen from where it was turned to, after another view', async () => {
     const { page } = here;
     const canvas = page.locator('canvas');
-    const from = () => page.evaluate(() => window.drawnFrom());
+    const from = () => seenFrom(page);
     await page.getByRole('button', { name: 'Slanted' }).click();
     const usual = await from();
     const { x, y, width, height } = await canvas.boundingBox();
@@ -332,15 +340,14 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
     await page.mouse.move(x + width / 2 + 120, y + height / 2 + 40, { steps: 4 });
     await page.mouse.up();
     await page.mouse.wheel(0, -200);
-    const stands = () => canvas.evaluate(({ dataset }) => dataset.how === 'standing');
-    await until('a turned picture', async () => (await stands()) && far(await from(), usual) > 1);
     const turned = await from();
+    assert.ok(far(turned, usual) > 1, 'turned');
     await page.evaluate(() => (location.hash = '#/machine'));
     await canvas.waitFor({ state: 'detached' });
     await page.evaluate(() => (location.hash = '#/path'));
     await canvas.waitFor();
-    await until('the path again', async () => (await stands()) && (await from()).length > 0);
-    assert.ok(far(await from(), turned) < 1e-3, `${await from()} is not ${turned}`);
+    const again = await from();
+    assert.ok(far(again, turned) < 1e-3, `${again} is not ${turned}`);
   });
   test('after another zero offset, without being loaded again', async (context) => {
     const { client } = here.stage;
