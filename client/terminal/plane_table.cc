@@ -33,7 +33,7 @@ std::string other_text(const ordered_json& plane) {
   const auto other = plane.find("other");
   if (other == plane.end()) return "";
   const ordered_json& axes = other->at("axes");
-  const std::string there =
+  std::string there =
       fmt::format("{}: {}", one_line(other->at("word").get<std::string>()), words_of(axes));
   const auto limit = other->find("limit");
   if (limit == other->end() || axes.empty()) return there;

@@ -84,7 +84,7 @@ std::vector<SparkplugMessage> EdgeNode::update(
 void EdgeNode::flatten(const std::string& name, const json& value, Metrics& metrics) {
   if (value.is_object()) {
     for (const auto& [member, content] : value.items())
-      flatten(name + "/" + member, content, metrics);
+      flatten(std::string(name).append("/").append(member), content, metrics);
   } else if (value.is_number()) {
     metrics[name] = {DataType::real, value.get<double>()};
   } else if (value.is_boolean()) {
