@@ -8,7 +8,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 option(STANOK_WERROR "Warnings are errors" ON)
 set(STANOK_SANITIZE "" CACHE STRING "Value for -fsanitize= (address,undefined | thread | realtime)")
 # Sources of a folder are compiled several at a time: headers and their templates are most of what a compiler
-# reads. Presets `clang` and `fuzz` compile them one by one, which proves that each source includes what it uses.
+# reads. Presets `tidy` and `fuzz` take them one by one, which proves that each source includes what it uses.
 option(STANOK_UNITY "Compile several sources of a folder at a time" ON)
 option(STANOK_COVERAGE "Instrument for gcov" OFF)
 
