@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # Sourced by ./start for --cell: three simulated machines, a broker, the gateway with a history, and a page of all.
 #
-# Everything is on loopback and in build/cell, and ends with this script. What `start` gives: say, fail, quietly, $bin.
+# Everything is on loopback and in build/cell, and ends with this script. What `start` gives: say, fail, $bin.
 # shellcheck disable=SC2154  # jobs comes from tools/environment.sh, bin from start
 readonly cell=build/cell
 readonly cell_machines=(mill lathe trunnion)
@@ -10,12 +10,6 @@ declare -rA cell_program=([mill]=square_and_circle.nc [lathe]=lathe.nc [trunnion
 declare -A cell_runs=([mill]=0 [lathe]=0 [trunnion]=0)
 readonly cell_faulty=beyond.nc  # every third run of the mill: what an alarm looks like
 cell_processes=()
-
-build_cell() {
-  say "Building (first time some minutes)"
-  quietly start-configure cmake --preset release
-  quietly start-build cmake --build build/release --parallel "$jobs" --target stanokd stanok stanok-web stanok-gateway
-}
 
 end_cell() {
   local pid
