@@ -26,7 +26,8 @@ AxisExchange::AxisExchange(const AxisDriveConfig& config, BusTime poll, BusTime 
       contact_(poll, timeout),
       reference_(config.absolute_encoder ? Encoder::absolute : Encoder::incremental),
       following_(config.following_error_max +
-                 0.5 * config.acceleration_max * seconds(poll) * seconds(poll)) {}
+                     0.5 * config.acceleration_max * seconds(poll) * seconds(poll),
+                 config.acceleration_max) {}
 
 CommandBlock AxisExchange::command(const DriveTarget& target, TargetAge age) RT_SAFE {
   reference_.take(target);
@@ -200,6 +201,7 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
   take_measurements(answer);
   feedback_.valid = !contact_.is_lost();
   ++feedback_.sequence;
+  note_target(asked);
   watch_following_error(map.following_error.value(answer.following_error), now);
   const double sent = sent_.target_position - reference_.offset();
   sent_.targets = {sent, sent};
@@ -252,12 +254,25 @@ void AxisExchange::check_reference(double counted) RT_SAFE {
   }
 }
 
+bool AxisExchange::follows_targets() const RT_SAFE {
+  return sent_.source == TargetSource::cycle && moves_axis() && !follows_velocity_ &&
+         feedback_.state == DriveState::operation_enabled;
+}
+
+void AxisExchange::note_target(BusTime asked) RT_SAFE {
+  if (!follows_targets()) {
+    following_.forget_targets();
+    return;
+  }
+  following_.note_target(sent_.target_position - reference_.offset(),
+                         config_.map.target_velocity.value(sent_.block.target_velocity), asked);
+}
+
 // From the nearest target that the drive may be following; 0 while it follows none.
 double AxisExchange::deviation() const RT_SAFE {
-  const bool follows = sent_.source == TargetSource::cycle && moves_axis() && !follows_velocity_ &&
-                       feedback_.state == DriveState::operation_enabled;
   const double counted = counted_position();
-  return follows ? std::clamp(counted, sent_.targets.low, sent_.targets.high) - counted : 0.0;
+  return follows_targets() ? std::clamp(counted, sent_.targets.low, sent_.targets.high) - counted
+                           : 0.0;
 }
 
 // The worse of what the drive says of itself and what its answer shows.

@@ -98,6 +98,8 @@ class AxisExchange {
   [[nodiscard]] bool is_plausible(const StatusBlock& answer, BusTime now) const RT_SAFE;
   [[nodiscard]] Band reach_out_of_sight() const RT_SAFE;
   void check_reference(double counted) RT_SAFE;
+  [[nodiscard]] bool follows_targets() const RT_SAFE;
+  void note_target(BusTime asked) RT_SAFE;
   [[nodiscard]] double deviation() const RT_SAFE;
   void watch_following_error(double reported, BusTime now) RT_SAFE;
   [[nodiscard]] std::uint16_t word_for(PowerRequest request, double velocity) const RT_SAFE;

@@ -69,6 +69,47 @@ TEST_F(DirectBusTest, FollowsAMoveWithinTheLimitOfTheFollowingError) {
   EXPECT_EQ(feedback[0].state, DriveState::operation_enabled);
 }
 
+// On a computer that takes the processor away the cycle stands for some periods and goes on where
+// it was, while the drive went on with its velocity: the targets pull it back, and this is no fault
+// of the axis.
+class LateCycles : public DirectBusTest {
+ protected:
+  void accelerate() {
+    switch_on();
+    for (int i = 1; i <= 150; ++i) step(2.0 * i);  // 2000 mm/s2
+  }
+  void step(double velocity) {
+    targets[0].position += velocity * 1e-3;
+    targets[0].velocity = velocity;
+    run(1);
+  }
+  void go_on_late() {
+    for (int i = 0; i < 3; ++i) step(300.0);
+    run(7);
+  }
+};
+
+TEST_F(LateCycles, AreNoFaultOfAnAxisInARapid) {
+  accelerate();
+  for (int i = 0; i < 50; ++i) {
+    go_on_late();
+    ASSERT_FALSE(feedback[0].following_error_exceeded) << i;
+    ASSERT_EQ(feedback[0].state, DriveState::operation_enabled) << i;
+  }
+}
+
+TEST_F(LateCycles, HideNoAxisThatIsBlocked) {
+  accelerate();
+  go_on_late();
+  bus.inject(0, FaultKind::jammed);
+  int bursts = 0;
+  while (!feedback[0].following_error_exceeded &&
+         feedback[0].state == DriveState::operation_enabled) {
+    go_on_late();
+    ASSERT_LT(++bursts, 40);  // 0.4 s
+  }
+}
+
 TEST_F(DirectBusTest, ASilentDriveIsInvalidAfterTheTimeout) {
   switch_on();
   bus.inject(0, FaultKind::off);
