@@ -259,8 +259,10 @@ bool AxisExchange::follows_targets() const RT_SAFE {
          feedback_.state == DriveState::operation_enabled;
 }
 
+// The velocity that a velocity drive is told is that of the loop in the cycle, which grows with the
+// error: it says nothing of where its target ought to be.
 void AxisExchange::note_target(BusTime asked) RT_SAFE {
-  if (!follows_targets()) {
+  if (!follows_targets() || config_.kind == DriveKind::velocity) {
     following_.forget_targets();
     return;
   }

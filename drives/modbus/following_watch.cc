@@ -30,8 +30,9 @@ void FollowingWatch::note_target(double position, double velocity, std::chrono::
 double FollowingWatch::fall_behind(const Target& last, const Target& target) const RT_SAFE {
   if (last.velocity == 0.0) return 0.0;
   const double dt_s = seconds_between(last.time, target.time);
-  const double behind = last.position + last.velocity * dt_s - target.position;
-  return std::copysign(1.0, last.velocity) * behind - 0.5 * acceleration_max_ * dt_s * dt_s;
+  const double way = std::fabs(last.velocity) * dt_s;
+  const double went = std::copysign(1.0, last.velocity) * (target.position - last.position);
+  return std::min(way - went, way) - 0.5 * acceleration_max_ * dt_s * dt_s;
 }
 
 void FollowingWatch::forget_targets() RT_SAFE {

@@ -36,7 +36,7 @@ class FollowingWatch {
     std::chrono::nanoseconds time;
   };
   // By how much a target lies behind where the axis would be after the last one, braking not
-  // counted.
+  // counted; at most the way to there, which is that of a target that stands.
   [[nodiscard]] double fall_behind(const Target& last, const Target& target) const RT_SAFE;
 
   double error_max_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -368,6 +369,22 @@ TEST_F(AxisExchangeTest, AnAxisThatStandsUnderMovingTargetsIsNoticed) {
   // More than 0.5 mm off from the second poll on, for 100 ms.
   EXPECT_EQ(polls, 2 + 11);
   EXPECT_NEAR(exchange.feedback().following_error, 12.0, 1e-9);
+}
+
+// The loop of the cycle asks for 40/s of the error in addition, up to the greatest velocity.
+TEST_F(AxisExchangeTest, AVelocityDriveThatStandsIsNoticedThoughItsVelocityGrows) {
+  AxisDriveConfig velocity_drive = config();
+  velocity_drive.kind = DriveKind::velocity;
+  exchange = AxisExchange(velocity_drive, poll_time, drive_timeout);
+  for (int i = 0; i < 20; ++i) answer(0.0);
+  int polls = 0;
+  while (!exchange.feedback().following_error_exceeded && polls < 100) {
+    target.position += 1.0;
+    target.velocity = std::min(400.0, 100.0 + 40.0 * target.position);
+    answer(0.0);
+    ++polls;
+  }
+  EXPECT_EQ(polls, 2 + 11);
 }
 
 TEST_F(AxisExchangeTest, AnAxisBetweenTheLastTwoTargetsFollows) {

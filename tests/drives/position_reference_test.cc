@@ -70,8 +70,7 @@ TEST(FollowingWatch, AShortExcursionIsALateTarget) {
   EXPECT_FALSE(following.is_exceeded(0.6, milliseconds{103})) << "the time begins anew";
 }
 
-// Targets of an axis at 300 mm/s, every 10 ms; in each of the first `late` exchanges the cycle lost
-// 7 ms.
+// Targets of an axis at 300 mm/s, every 10 ms, of which the cycle may have lost some.
 struct RapidTargets {
   static constexpr double velocity = 300.0;
   FollowingWatch following{0.5, 4000.0};
@@ -107,6 +106,15 @@ TEST(FollowingWatch, ABlockedAxisIsNoticedThoughCyclesAreLate) {
   // Of 1.9 mm in 10 ms not more than 1.9 / (1 - exp(-0.1)) = 20 mm are kept, which 0.9 mm in 10 ms
   // pass in 0.23 s.
   EXPECT_LT(targets.now(), milliseconds{340});
+}
+
+TEST(FollowingWatch, ATargetThatJumpsBackExplainsNoMoreThanOneThatStands) {
+  RapidTargets targets;
+  targets.give(milliseconds{0});
+  targets.position -= 360.0;
+  targets.give(milliseconds{0});
+  EXPECT_FALSE(targets.following.is_exceeded(3.6, targets.now())) << "the time begins";
+  EXPECT_TRUE(targets.following.is_exceeded(3.6, targets.now() + milliseconds{101}));
 }
 
 TEST(FollowingWatch, OneLateTargetIsForgotten) {
