@@ -137,6 +137,13 @@ void inverse(const Transform& transform, const AxisVector<double>& point_W,
   machine_from_workpiece(transform, point_W, axes_M);
 }
 
+bool operator==(const Transform& a, const Transform& b) RT_SAFE {
+  const Vector3<double>& nose_a = a.tool.nose_to_tip_mm;
+  const Vector3<double>& nose_b = b.tool.nose_to_tip_mm;
+  return a.scheme == b.scheme && a.mode == b.mode && nose_a.x() == nose_b.x() &&
+         nose_a.y() == nose_b.y() && nose_a.z() == nose_b.z() && a.frame == b.frame;
+}
+
 void forward(const Transform& transform, const AxisVector<double>& axes_M,
              AxisVector<double>& point_W) RT_SAFE {
   if (transform.scheme == nullptr) {

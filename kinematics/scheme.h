@@ -93,6 +93,8 @@ struct Transform {
   ToolVector tool;
 };
 
+[[nodiscard]] bool operator==(const Transform& a, const Transform& b) RT_SAFE;
+
 void inverse(const Transform& transform, const AxisVector<Jet>& point_W, AxisVector<Jet>& axes_M)
     RT_SAFE;
 void inverse(const Transform& transform, const AxisVector<double>& point_W,

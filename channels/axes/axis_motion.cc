@@ -73,6 +73,10 @@ void AxisMotion::stand_in(const kinematics::Transform& frame) RT_SAFE {
   stand();
 }
 
+void AxisMotion::rest_in(const kinematics::Transform* frame) RT_SAFE {
+  if (frame != nullptr && *frame != frame_) stand_in(*frame);
+}
+
 void AxisMotion::stand_in_scheme() RT_SAFE {
   frame_ = {};
   frame_.scheme = schemes_.active();

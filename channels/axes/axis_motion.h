@@ -50,6 +50,8 @@ class AxisMotion {
   // The frame in which the axes stand; only at rest.
   void select_scheme(int scheme) RT_SAFE;
   void stand_in(const kinematics::Transform& frame) RT_SAFE;
+  // The same while nothing runs. Nothing is done where it is the frame already; nullptr: it is.
+  void rest_in(const kinematics::Transform* frame) RT_SAFE;
   void stand_in_scheme() RT_SAFE;  // the active one, without offsets
   // An axis is elsewhere than the path believed.
   void stand_with(int axis, double position) RT_SAFE;

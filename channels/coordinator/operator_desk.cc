@@ -229,6 +229,7 @@ Verdict OperatorDesk::set_tool(const commands::ToolSet& command) RT_SAFE {
     return refusal("E5021", "there is no such tool, edge or value");
   if (!stores_.tables->set_tool_value(command.tool, edge, value, command.value, Writer::person))
     return refusal("E5020", "the value is out of range");
+  settle({.tool = command.tool, .edge = edge});
   return success();
 }
 
@@ -245,7 +246,13 @@ Verdict OperatorDesk::set_offset(const commands::OffsetSet& command) RT_SAFE {
   if (number == 0 || axis < 0) return refusal("E5021", "there is no such work offset or axis");
   if (!stores_.tables->set_offset(number, axis, command.value, Writer::person))
     return refusal("E5020", "the offset could not be written");
+  settle({.work_offset = number});
   return success();
+}
+
+// What is active of a changed row counts at once where the channel is at rest.
+void OperatorDesk::settle(const lang::ChangedRows& rows) RT_SAFE {
+  for (Channel* const channel : channels_.all()) channel->items().settling().want(rows);
 }
 
 }  // namespace stanok::channels

@@ -13,6 +13,7 @@
 #include "channels/coordinator/control_desk.h"
 #include "channels/coordinator/machine_stores.h"
 #include "channels/coordinator/verdict.h"
+#include "lang/contract/standing.h"
 
 namespace stanok::channels {
 
@@ -31,6 +32,7 @@ class OperatorDesk {
   [[nodiscard]] Verdict switch_on(const Channel* named) RT_SAFE;
   [[nodiscard]] Verdict set_tool(const commands::ToolSet& command) RT_SAFE;
   [[nodiscard]] Verdict set_offset(const commands::OffsetSet& command) RT_SAFE;
+  void settle(const lang::ChangedRows& rows) RT_SAFE;
 
   const ChannelTable& channels_;
   ControlDesk& control_;

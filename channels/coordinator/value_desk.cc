@@ -64,10 +64,21 @@ struct ValueDesk::Access {
     return refusal("", "no such entry, a value out of range, or write-protected tables");
   }
 
+  // The program itself goes on with what it wrote.
+  void settle_others(const lang::ChangedRows& rows) const RT_SAFE {
+    for (int k = 0; k < desk.channels_.count(); ++k) {
+      if (k != errand.asker) desk.channels_[k].items().settling().want(rows);
+    }
+  }
+
   Verdict operator()(const requests::ToolRead& /*read*/) const RT_SAFE { return table_read(); }
   Verdict operator()(const requests::OffsetRead& /*read*/) const RT_SAFE { return table_read(); }
   Verdict operator()(const requests::ToolWrite& /*write*/) const RT_SAFE { return table_write(); }
-  Verdict operator()(const requests::OffsetWrite& /*write*/) const RT_SAFE { return table_write(); }
+  Verdict operator()(const requests::OffsetWrite& write) const RT_SAFE {
+    const Verdict verdict = table_write();
+    if (verdict.ok) settle_others({.work_offset = write.place.offset});
+    return verdict;
+  }
   Verdict operator()(const requests::MachineValueRead& read) const RT_SAFE {
     return desk.machine_value(read, asker());
   }

@@ -30,6 +30,7 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   marks.begin_cycle();
   if (state().is_ending()) continue_reset();
   items_.advance();
+  if (is_at_rest()) items_.settle();
   take_step();
   if (!state().is_ending()) items_.probe().advance(link);
   spindles.observe();
@@ -53,15 +54,16 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
 void Channel::continue_reset() RT_SAFE {
   if (!motion.is_standing()) return;
   if (!run.reset_is_told()) {
-    if (link.notices.push(PathReset{})) run.note_reset_told();
+    if (link.notices.push(PathReset{items_.stand()})) run.note_reset_told();
     return items_.give_up();
   }
-  if (!items_.drop_until_reset_done()) return;
+  Rest rest;
+  if (!items_.drop_until_reset_done(rest)) return;
   forget_path();
   items_.end_all();
   if (state().is_running()) run.end_run(RunResult::failed, runs.blocks());
   run.finish_reset();
-  motion.stand_in_scheme();
+  motion.rest_in(rest.transform);
 }
 
 void Channel::forget_path() RT_SAFE {
@@ -218,10 +220,14 @@ void Channel::set_single_block(Switch to) RT_SAFE {
   run.stepper().switch_off();
 }
 
-bool Channel::is_quiet() const RT_SAFE {
+bool Channel::is_at_rest() const RT_SAFE {
   return !state().is_running() && !state().is_ending() && motion.is_standing() &&
-         items_.is_idle() && link.items.empty() && link.riders.empty() &&
-         items_.loads().outcome() != Outcome::pending && !items_.change().is_pending();
+         !items_.change().is_pending();
+}
+
+bool Channel::is_quiet() const RT_SAFE {
+  return is_at_rest() && items_.is_idle() && link.items.empty() && link.riders.empty() &&
+         items_.loads().outcome() != Outcome::pending && items_.settling().is_done();
 }
 
 }  // namespace stanok::channels

@@ -64,6 +64,7 @@ class Channel : public CycleParts {
   [[nodiscard]] const ItemWorker& items() const RT_SAFE { return items_; }
 
  private:
+  [[nodiscard]] bool is_at_rest() const RT_SAFE;  // no run, no reset, no switch, no motion
   void continue_reset() RT_SAFE;
   void forget_path() RT_SAFE;
   void take_step() RT_SAFE;

@@ -55,21 +55,28 @@ struct ItemWorker::Execution {
   void operator()(const LoadDone& load) const RT_SAFE { worker.loads_.take(load); }
   void operator()(const RunEnd& end) const RT_SAFE {
     worker.end_run(RunResult::succeeded, end.blocks);
+    parts.motion.rest_in(end.rest.transform);
     if (end.is_restart)
       parts.log.tell("W2099", "M99 in the main program ends the simulated run", tag);
   }
   // Spindles and overrides stay as they are.
   void operator()(const LineEnd& end) const RT_SAFE {
     parts.run.end_run(RunResult::succeeded, end.blocks);
+    parts.motion.rest_in(end.rest.transform);
   }
   void operator()(const RunFailed& failed) const RT_SAFE {
     worker.end_run(RunResult::failed, failed.blocks);
+    parts.motion.rest_in(failed.rest.transform);
     parts.run.raise_alarm(failed.code.view(), failed.text.view(), tag);
   }
   // Told before.
   void operator()(const BrokenOff& /*end*/) const RT_SAFE {}
   // An answer to a reset that is over.
   void operator()(const ResetDone& /*reset*/) const RT_SAFE {}
+  void operator()(const Settled& settled) const RT_SAFE {
+    parts.motion.rest_in(settled.rest.transform);
+    worker.settling_.finish();
+  }
   // The axes stand for one cycle in the new frame, so that every trace begins where they are.
   void operator()(const TransformSet& set) const RT_SAFE {
     parts.motion.stand_in(*set.transform);
@@ -138,8 +145,12 @@ struct ItemWorker::Execution {
   void operator()(const SchemeChosen& chosen) const RT_SAFE {
     parts.motion.select_scheme(chosen.scheme);
   }
-  void operator()(const SwitchDone& /*end*/) const RT_SAFE { worker.change_.succeed(); }
+  void operator()(const SwitchDone& /*end*/) const RT_SAFE {
+    worker.settling_.want({});
+    worker.change_.succeed();
+  }
   void operator()(const SwitchFailed& failed) const RT_SAFE {
+    worker.settling_.want({});
     worker.change_.refuse(failed.code.view(), failed.text.view());
   }
 };
@@ -148,7 +159,8 @@ ItemWorker::ItemWorker(CycleParts& parts)
     : parts_(parts),
       loads_(parts.run, parts.link),
       change_(parts.axes, parts.drives, parts.motion, parts.run, parts.link),
-      probe_(*parts.books.inputs, parts.drives, parts.motion) {}
+      probe_(*parts.books.inputs, parts.drives, parts.motion),
+      settling_(parts.link) {}
 
 void ItemWorker::advance() RT_SAFE {
   Ring<Item>& items = parts_.link.items;
@@ -280,20 +292,27 @@ void ItemWorker::give_up() RT_SAFE {
   request_.reset();
 }
 
-bool ItemWorker::drop_until_reset_done() RT_SAFE {
+bool ItemWorker::drop_until_reset_done(Rest& rest) RT_SAFE {
   Item item;
   while (parts_.link.items.pop(item)) {
-    if (std::holds_alternative<ResetDone>(item.content)) return true;
+    const auto* const done = std::get_if<ResetDone>(&item.content);
+    if (done == nullptr) continue;
+    rest = done->rest;
+    settling_.finish();
+    return true;
   }
   return false;
+}
+
+Stand ItemWorker::stand() const RT_SAFE {
+  return {.scheme = parts_.schemes.active_id(), .axes_M = parts_.motion.axes_M(), .tool = tool_};
 }
 
 RunStart ItemWorker::run_start() const RT_SAFE {
   return {.run = parts_.runs.run(),
           .load = loads_.program(),
-          .scheme = parts_.schemes.active_id(),
           .block_skip = parts_.switches.block_skip(),
-          .axes_M = parts_.motion.axes_M()};
+          .stand = stand()};
 }
 
 void ItemWorker::begin_search(const ShortText& target, SearchWay way, int passes) RT_SAFE {

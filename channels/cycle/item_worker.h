@@ -14,6 +14,7 @@
 #include "channels/cycle/kinematics_change.h"
 #include "channels/cycle/load_desk.h"
 #include "channels/cycle/probe_watch.h"
+#include "channels/cycle/settling.h"
 
 namespace stanok::channels {
 
@@ -35,13 +36,16 @@ class ItemWorker {
   // A reset: what is under way is given up; when the preparation has obeyed (true: the item that
   // says so has come), all that items brought about ends.
   void give_up() RT_SAFE;
-  [[nodiscard]] bool drop_until_reset_done() RT_SAFE;
+  // Sets `rest` to how the channel stands then.
+  [[nodiscard]] bool drop_until_reset_done(Rest& rest) RT_SAFE;
   void end_all() RT_SAFE;
 
   void begin_load(const ShortText& text, Job job) RT_SAFE { loads_.begin(text, job); }
   void begin_search(const ShortText& target, SearchWay way, int passes) RT_SAFE;
   void begin_run(Job job) RT_SAFE;
   void begin_switch(int scheme) RT_SAFE;
+  // Nothing runs: how the channel stands is asked for as far as it is not known any more.
+  void settle() RT_SAFE { settling_.ask(stand()); }
   // To the open request.
   void answer(const ChannelAnswer& answer) RT_SAFE;
 
@@ -65,6 +69,9 @@ class ItemWorker {
   [[nodiscard]] const LoadDesk& loads() const RT_SAFE { return loads_; }
   [[nodiscard]] const KinematicsChange& change() const RT_SAFE { return change_; }
   [[nodiscard]] const ToolAtWork& tool() const RT_SAFE { return tool_; }
+  [[nodiscard]] Settling& settling() RT_SAFE { return settling_; }
+  [[nodiscard]] const Settling& settling() const RT_SAFE { return settling_; }
+  [[nodiscard]] Stand stand() const RT_SAFE;
 
  private:
   // Executes an item: one overload for each of its contents.
@@ -89,6 +96,7 @@ class ItemWorker {
   Item item_;                     // the item being executed
   std::optional<OpenRequest> request_;
   ToolAtWork tool_;
+  Settling settling_;
 };
 
 }  // namespace stanok::channels

@@ -25,7 +25,8 @@ struct ChannelLink {
 
   // The cycle. Bound: a load or search, a start, a switch and an answer are each asked for one at a
   // time and the next only when the preparation has answered, and a reset ends them all; of an
-  // operator's line there is a load and a start besides. So at most seven notices wait. A notice
+  // operator's line there is a load and a start besides, and one Settle. So at most eight notices
+  // wait. A notice
   // that finds no place is a fault of our own: the channel stops (has_lost_notice).
   void tell(const Notice& notice) RT_SAFE { has_lost_notice |= !notices.push(notice); }
   bool has_lost_notice = false;

@@ -24,21 +24,30 @@ struct LoadDone {
   ShortText text{};         // the name of what was loaded, or why it was not
 };
 
+// How the channel stands where nothing runs any more: the transform in which the programmed point
+// is shown, and from which the next line begins; nullptr: as before.
+struct Rest {
+  const kinematics::Transform* transform = nullptr;
+};
+
 // The program came to its end.
 struct RunEnd {
   std::uint64_t blocks = 0;  // that it executed
   bool is_restart = false;   // by M99, where a simulation ends
+  Rest rest{};
 };
 
 // A line of an operator came to its end.
 struct LineEnd {
   std::uint64_t blocks = 0;  // that it executed
+  Rest rest{};
 };
 
 struct RunFailed {
   std::uint64_t blocks = 0;  // that it executed
   FixedText<8> code{};
   ShortText text{};
+  Rest rest{};
 };
 
 // The preparation cannot go on, whatever path comes before.
@@ -48,7 +57,14 @@ struct BrokenOff {
 };
 
 // Everything that was pushed before belongs to a run that a reset has ended.
-struct ResetDone {};
+struct ResetDone {
+  Rest rest{};
+};
+
+// The answer to Settle.
+struct Settled {
+  Rest rest{};
+};
 
 // The transform holds from here on.
 struct TransformSet {
@@ -85,7 +101,7 @@ struct SwitchFailed {
 // Those of lang are commands of the program that reach the cycle as they are. The preparation waits
 // for the answer to a Request.
 using ItemContent =
-    std::variant<LoadDone, RunEnd, LineEnd, RunFailed, BrokenOff, ResetDone, TransformSet,
+    std::variant<LoadDone, RunEnd, LineEnd, RunFailed, BrokenOff, ResetDone, Settled, TransformSet,
                  lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode, lang::CoolantCommand,
                  lang::ToolChange, lang::OverrideControl, lang::ForceControl, lang::OutputCommand,
                  lang::MachineFunction, lang::ProgramStop, ProbeBegin, Request, AxesStep,

@@ -7,8 +7,10 @@
 #include <variant>
 
 #include "channels/contract/operator_command.h"
+#include "channels/contract/output.h"
 #include "channels/contract/texts.h"
 #include "lang/contract/command.h"
+#include "lang/contract/standing.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
@@ -24,13 +26,19 @@ struct ChannelAnswer {
   ReasonText text;
 };
 
+// How a channel stands: what begins, begins from here.
+struct Stand {
+  std::int32_t scheme = 0;
+  motion::Point axes_M{};
+  ToolAtWork tool{};
+};
+
 // What a run begins with.
 struct RunStart {
   std::uint32_t run = 0;
-  std::int32_t load = 0;  // number of the load whose program the channel has; 0: of none
-  std::int32_t scheme = 0;
+  std::int32_t load = 0;         // number of the load whose program the channel has; 0: of none
   std::uint16_t block_skip = 0;  // levels that are skipped from now on
-  motion::Point axes_M{};        // where the axes stand
+  Stand stand{};
 };
 
 // Compile a program.
@@ -72,7 +80,16 @@ struct RequestAnswer {
 };
 
 // Forget run and path, then say so with the item ResetDone.
-struct PathReset {};
+struct PathReset {
+  Stand stand{};
+};
+
+// Nothing runs: say with the item Settled in which frame the channel stands. An operator has
+// changed `rows` of the tables.
+struct Settle {
+  Stand stand{};
+  lang::ChangedRows rows{};
+};
 
 // Go over to another kinematic scheme.
 struct SchemeSwitch {
@@ -82,7 +99,7 @@ struct SchemeSwitch {
 };
 
 using Notice = std::variant<ProgramLoad, LineLoad, BlockSearch, ProgramStart, LineStart,
-                            RequestAnswer, PathReset, SchemeSwitch>;
+                            RequestAnswer, PathReset, Settle, SchemeSwitch>;
 static_assert(std::is_trivially_copyable_v<Notice>);
 
 }  // namespace stanok::channels

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "motion/path/block_metric.h"
 #include "motion/path/nurbs.h"
@@ -16,11 +17,6 @@ namespace {
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double same_angle = 1e-12;  // rad; below, start and end of an arc are the same direction
-
-bool equal(const kinematics::Transform& a, const kinematics::Transform& b) {
-  return a.scheme == b.scheme && a.mode == b.mode &&
-         a.tool.nose_to_tip_mm == b.tool.nose_to_tip_mm && a.frame == b.frame;
-}
 
 // An arc whose radii at both ends differ more is as small as the tolerance within which they may
 // differ, and rounded beyond recognition: the straight path is as near to what was meant.
@@ -61,9 +57,13 @@ BlockPreparation::BlockPreparation(const MachineConfig& machine, const ChannelCo
       face_(motion),
       transforms_(1) {}
 
+void BlockPreparation::begin_run() {
+  transforms_before_ = std::exchange(transforms_, {transforms_.back()});
+  face_.begin_run();
+}
+
 void BlockPreparation::restart(const kinematics::Scheme* scheme, const motion::Point& axes_M) {
-  transforms_.clear();
-  face_.forget();
+  face_.end();
   programmed_ = {};
   programmed_.scheme = scheme;
   transforms_.push_back(programmed_);
@@ -85,6 +85,16 @@ bool BlockPreparation::take_state(const lang::Payload& command) {
     return set_transformation(*change);
   process_.take_state(command, diameter(position_W_));
   return false;
+}
+
+void BlockPreparation::settle(const lang::Standing& standing) {
+  const bool is_transformed = standing.transformation.kind != lang::Transformation::off;
+  if (face_.is_on() && !is_transformed)
+    static_cast<void>(set_transformation(standing.transformation));
+  static_cast<void>(set_frame(standing.frame));
+  static_cast<void>(set_tool_length(standing.length));
+  if (!face_.is_on() && is_transformed)
+    static_cast<void>(set_transformation(standing.transformation));
 }
 
 bool BlockPreparation::set_frame(const lang::FrameChange& change) {
@@ -114,7 +124,7 @@ bool BlockPreparation::set_transformation(const lang::TransformationChange& chan
 }
 
 bool BlockPreparation::take_programmed(const kinematics::Transform& next) {
-  if (equal(next, programmed_)) return false;
+  if (next == programmed_) return false;
   const motion::Point standing = axes_M();
   programmed_ = next;
   transforms_.push_back(face_.applied_to(programmed_));

@@ -14,6 +14,7 @@
 #include "channels/preparation/face_transformation.h"
 #include "channels/preparation/process_preparation.h"
 #include "lang/contract/command.h"
+#include "lang/contract/standing.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
@@ -23,8 +24,11 @@ class BlockPreparation {
   BlockPreparation(const MachineConfig& machine, const ChannelConfig& channel,
                    const motion::MotionConfig& motion);
 
-  // Begins afresh with `scheme`, frame and tool at zero, the axes standing at `axes_M`. Transforms
-  // given out before become invalid.
+  // A run begins. Transforms of the run before the latest one become invalid: until the new run has
+  // given its first one to the cycle, the cycle stands in those of the latest.
+  void begin_run();
+
+  // Begins afresh with `scheme`, frame and tool at zero, the axes standing at `axes_M`.
   void restart(const kinematics::Scheme* scheme, const motion::Point& axes_M);
 
   // Another scheme is active, the axes stand at `axes_M`; frame and tool stay.
@@ -35,6 +39,9 @@ class BlockPreparation {
   // True when the transform is a new one: the chain must have ended before, and a new one begins at
   // position_W().
   [[nodiscard]] bool take_state(const lang::Payload& command);
+
+  // What is in force while nothing runs; the axes stay. Behind the end of a chain, or of restart().
+  void settle(const lang::Standing& standing);
 
   // A feed law for the motion that follows; the path goes on.
   void take_process(const lang::Payload& command) {
@@ -113,8 +120,9 @@ class BlockPreparation {
   ProcessPreparation process_;
   FaceTransformation face_;
   double face_axis_M_ = 0.0;  // on a face: where its rotary axis stands, with all its turns; deg
-  std::deque<kinematics::Transform> transforms_;  // segments in the queue point into it
-  motion::Point position_W_{};                    // of the path
+  std::deque<kinematics::Transform> transforms_;         // segments in the queue point into it
+  std::deque<kinematics::Transform> transforms_before_;  // of the run before
+  motion::Point position_W_{};                           // of the path
 };
 
 }  // namespace stanok::channels

@@ -100,11 +100,6 @@ void FaceTransformation::begin(const lang::TransformationChange& change,
                                             : kinematics::FaceSide::positive;
 }
 
-void FaceTransformation::forget() {
-  made_.clear();
-  change_ = {};
-}
-
 kinematics::Transform FaceTransformation::applied_to(const kinematics::Transform& programmed) {
   if (!is_on()) return programmed;
   const AxisIndex rotary = change_.rotary_axis;

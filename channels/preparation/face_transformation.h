@@ -9,6 +9,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/diagnostic.h"
 #include "channels/contract/machine_config.h"
@@ -27,11 +28,11 @@ class FaceTransformation {
                                                   const kinematics::Scheme& active) const;
 
   // Replaces `transform`, whose scheme is `active` and whose frame is as programmed, by the one of
-  // the plane. Schemes made stay until forget().
+  // the plane. Schemes made stay for the run that is under way and the next one.
   void begin(const lang::TransformationChange& change, const kinematics::Scheme& active,
              const motion::Point& axes_M);
   void end() { change_ = {}; }
-  void forget();
+  void begin_run() { made_before_ = std::exchange(made_, {}); }
 
   [[nodiscard]] bool is_on() const { return change_.kind != lang::Transformation::off; }
   [[nodiscard]] int rotary_axis() const { return change_.rotary_axis; }
@@ -55,6 +56,7 @@ class FaceTransformation {
   const kinematics::Scheme* active_ = nullptr;
   kinematics::FaceSide side_ = kinematics::FaceSide::positive;
   std::deque<std::unique_ptr<const kinematics::Scheme>> made_;
+  std::deque<std::unique_ptr<const kinematics::Scheme>> made_before_;  // in the run before
 };
 
 }  // namespace stanok::channels

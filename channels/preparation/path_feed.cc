@@ -62,6 +62,7 @@ PathFeed::PathFeed(const MachineConfig& machine, const ChannelConfig& channel,
 
 void PathFeed::begin_run(std::uint32_t run) {
   run_ = run;
+  blocks_.begin_run();
   blocks_executed_ = 0;
   chain_open_ = false;
 }
@@ -260,9 +261,16 @@ void PathFeed::take_mark(const lang::Command& command, const lang::MarkCommand& 
 void PathFeed::take_end(const lang::Command& command, const lang::ProgramEnd& end) {
   const motion::BlockTag tag = tag_of(command);
   if (end.kind == lang::ProgramEndKind::end_of_line)
-    return give({.tag = tag, .content = LineEnd{blocks_executed_}});
+    return give({.tag = tag, .content = LineEnd{blocks_executed_, rest()}});
   const bool is_restart = end.kind == lang::ProgramEndKind::restart;
-  give({.tag = tag, .content = RunEnd{.blocks = blocks_executed_, .is_restart = is_restart}});
+  give({.tag = tag,
+        .content = RunEnd{.blocks = blocks_executed_, .is_restart = is_restart, .rest = rest()}});
+}
+
+void PathFeed::settle(const lang::Standing& standing) {
+  end_chain();
+  blocks_.settle(standing);
+  builder_.restart(blocks_.position_W(), blocks_.geometry());
 }
 
 void PathFeed::give(const Item& item) {

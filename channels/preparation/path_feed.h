@@ -52,6 +52,9 @@ class PathFeed {
   // The transform is another one: the path goes on in it from the position.
   void give_transform();
   void end_chain();
+  // Nothing runs any more, or not yet: the position is that of the axes, in what is in force then.
+  void settle(const lang::Standing& standing);
+  [[nodiscard]] Rest rest() const { return {&blocks_.transform()}; }
 
   // A path in machine axes, of a switch of kinematics: from where they stand, each block to where
   // one axis goes. False: it cannot get there.

@@ -46,6 +46,10 @@ Progress Preparation::work() {
     progress = Progress::worked;
   }
   if (!parts_.queue.flush()) return progress;
+  if (question_ && task_ == Task::idle) {
+    settle(*std::exchange(question_, std::nullopt));
+    progress = Progress::worked;
+  }
   if (task_ != Task::running) return progress;
   progress = interpret();
   static_cast<void>(parts_.queue.flush());
@@ -78,6 +82,8 @@ void Preparation::obey(const BlockSearch& search) {
 void Preparation::obey(const ProgramStart& notice) {
   shelf_.use(notice.start.load);
   begin_run(notice.start, shelf_.program(), shelf_.name());
+  parts_.restart(notice.start.stand);
+  parts_.feed.give_transform();
   parts_.feed.blocks().forget_laws();
   if (search_.is_set()) {
     static_cast<void>(use_result(search_.begin_run()));
@@ -89,6 +95,9 @@ void Preparation::obey(const ProgramStart& notice) {
 void Preparation::obey(const LineStart& notice) {
   shelf_.use(notice.start.load);
   begin_run(notice.start, shelf_.line(), "MDI");
+  parts_.restart(notice.start.stand);
+  parts_.feed.settle(parts_.interpreter.standing());
+  parts_.feed.give_transform();
   parts_.interpreter.start_line(parts_.program, parts_.feed.blocks().position_B());
 }
 
@@ -98,8 +107,6 @@ void Preparation::begin_run(const RunStart& start, std::shared_ptr<const lang::P
   search_.forget_entry();
   parts_.feed.begin_run(start.run);
   parts_.queue.begin_run();
-  parts_.restart(start.scheme, start.axes_M);
-  parts_.feed.give_transform();
   parts_.set_program(std::move(program));
   name_files();
   parts_.reports.name_run(parts_.config.id, start.run, name, lang::file_names(*parts_.program));
@@ -145,17 +152,30 @@ void Preparation::obey(const RequestAnswer& notice) {
   parts_.interpreter.answer(answer);
 }
 
-void Preparation::obey(const PathReset& /*reset*/) {
+void Preparation::obey(const PathReset& reset) {
   task_ = Task::idle;
   search_.forget_entry();
   search_.forget();
-  parts_.interpreter.reset();
+  parts_.interpreter.reset({reset.stand.tool.number, reset.stand.tool.edge});
   tell_codes();
-  block_book_.tell_codes({parts_.feed.blocks_executed(), lang::default_codes(parts_.config.kind)});
   parts_.feed.blocks().reset_process();
   forget_path();
+  if (question_) parts_.interpreter.take_changed_rows(question_->rows);
+  question_.reset();
+  parts_.settle(reset.stand);
   ++resets_obeyed_;
-  parts_.feed.give({.content = ResetDone{}});
+  parts_.feed.give({.content = ResetDone{parts_.feed.rest()}});
+}
+
+// A search has interpreter and path for itself. A reset that comes meanwhile answers, too.
+void Preparation::obey(const Settle& question) {
+  question_ = question;
+}
+
+void Preparation::settle(const Settle& question) {
+  parts_.interpreter.take_changed_rows(question.rows);
+  parts_.settle(question.stand);
+  parts_.feed.give({.content = Settled{parts_.feed.rest()}});
 }
 
 void Preparation::forget_path() {
@@ -228,6 +248,8 @@ lang::Step Preparation::next_command() {
 
 // True when the cycle gets something of it.
 bool Preparation::take(const lang::Command& command) {
+  if (std::holds_alternative<lang::ProgramEnd>(command.payload))
+    parts_.feed.settle(parts_.interpreter.standing());
   const auto taken = parts_.feed.take(command);
   if (!taken) {
     fail(taken.error(), parts_.feed.tag_of(command));
@@ -241,10 +263,14 @@ bool Preparation::take(const lang::Command& command) {
 
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
   parts_.reports.explain(parts_.config.id, parts_.feed.run(), diagnostic);
+  parts_.interpreter.break_off();
+  tell_codes();
+  parts_.feed.settle(parts_.interpreter.standing());
   parts_.feed.give({.tag = tag,
                     .content = RunFailed{.blocks = parts_.feed.blocks_executed(),
                                          .code = std::string_view(diagnostic.code),
-                                         .text = std::string_view(diagnostic.message)}});
+                                         .text = std::string_view(diagnostic.message),
+                                         .rest = parts_.feed.rest()}});
   task_ = Task::idle;
 }
 

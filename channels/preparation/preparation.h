@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "channels/contract/progress.h"
@@ -46,9 +47,11 @@ class Preparation {
   void obey(const LineStart& notice);
   void obey(const RequestAnswer& notice);
   void obey(const PathReset& reset);
+  void obey(const Settle& question);
   void obey(const SchemeSwitch& change);
   void begin_run(const RunStart& start, std::shared_ptr<const lang::Program> program,
                  const std::string& name);
+  void settle(const Settle& question);
   void name_files();
 
   // Program.
@@ -66,8 +69,9 @@ class Preparation {
   ProgramShelf shelf_;
   SearchRunner search_;
   Task task_ = Task::idle;
-  bool scheme_switched_ = false;  // since the last answer or start
-  bool axes_change_ = false;      // the answer to come tells where a spindle stands as an axis
+  std::optional<Settle> question_;  // that waits until a search is over
+  bool scheme_switched_ = false;    // since the last answer or start
+  bool axes_change_ = false;        // the answer to come tells where a spindle stands as an axis
 };
 
 }  // namespace stanok::channels

@@ -33,10 +33,19 @@ PreparationParts::PreparationParts(const MachineConfig& machine, const ChannelCo
       queue(motion, books.link, books.shared, books.blocks),
       feed(machine, channel, motion, queue) {}
 
-void PreparationParts::restart(int scheme_id, const motion::Point& axes_M) {
-  scheme = schemes.contains(scheme_id) ? schemes.at(scheme_id).get() : nullptr;
-  feed.blocks().restart(scheme, axes_M);
+void PreparationParts::restart(const Stand& stand) {
+  scheme = schemes.contains(stand.scheme) ? schemes.at(stand.scheme).get() : nullptr;
+  feed.blocks().restart(scheme, stand.axes_M);
   if (scheme != nullptr) tables.set_scheme(*scheme);
+  interpreter.take_tool({stand.tool.number, stand.tool.edge});
+}
+
+void PreparationParts::settle(const Stand& stand) {
+  scheme = schemes.contains(stand.scheme) ? schemes.at(stand.scheme).get() : nullptr;
+  feed.blocks().change_scheme(scheme, stand.axes_M);
+  if (scheme != nullptr) tables.set_scheme(*scheme);
+  interpreter.take_tool({stand.tool.number, stand.tool.edge});
+  feed.settle(interpreter.standing());
 }
 
 void PreparationParts::set_program(std::shared_ptr<const lang::Program> next) {

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "channels/contract/machine_config.h"
+#include "channels/messages/notice.h"
 #include "channels/preparation/path_feed.h"
 #include "channels/preparation/queue_sink.h"
 #include "channels/stores/live_tables.h"
@@ -37,8 +38,10 @@ struct PreparationParts {
                    const SchemeSet& scheme_set, const lang::Files& files,
                    const PreparationBooks& books);
 
-  // Nothing is set up but the scheme with this id, its axes standing at `axes_M`.
-  void restart(int scheme_id, const motion::Point& axes_M);
+  // Nothing is set up but the scheme of the channel, whose axes and tool stand so.
+  void restart(const Stand& stand);
+  // The channel stands there, in what is in force while nothing runs; transforms stay.
+  void settle(const Stand& stand);
   // The program that the commands to come belong to.
   void set_program(std::shared_ptr<const lang::Program> next);
 

@@ -38,7 +38,7 @@ SearchRunner::Result SearchRunner::look(const BlockSearch& search,
   search_->place = *place;
   search_->calculates = search.way == SearchWay::calculated;
   parts_.set_program(std::move(program));
-  parts_.restart(search.start.scheme, search.start.axes_M);
+  parts_.restart(search.start.stand);
   parts_.feed.blocks().forget_laws();
   parts_.interpreter.set_block_skip(search.start.block_skip);
   const Result result = enter(ProgramSearch::Stage::look);

@@ -132,8 +132,8 @@ void fail_open_plane(ActiveBlock& block, const WordName& word);
 // Tool length (actions_length.cc)
 // Length compensation of an edge from here on; edge 0: none.
 void use_tool_offset(ActiveBlock& block, int tool, int edge);
-// The tool table may have changed.
-void read_tool_length_again(ActiveBlock& block);
+// The length as its row of the table is now.
+void take_row(ToolLength& length, const Tables& tables);
 
 // Radius compensation (actions_compensation.cc)
 // Fails the block when radius compensation is active and forbids one of its codes, the modally

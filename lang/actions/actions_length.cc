@@ -1,8 +1,8 @@
 // Actions of tool length compensation: G43, G43.1, G43.2, G43.4, G43.5, G44, G49, and the offset of
 // a T word on lathe channels; of the alignment of the tool with a tilted plane: G53.1, G53.6.
 //
-// The length in force is a base (what G43.2 found there) and the length of one edge, which is read
-// again when the tool table may have changed. While the tool is aligned with a plane the programmed
+// The length in force stays as it was put there until the next code of the group, whatever is
+// written into the tool table meanwhile. While the tool is aligned with a plane the programmed
 // point is its tip as under G43.4, whatever code of the group is active: only so the coordinates of
 // the plane stand where the workpiece is.
 #include <algorithm>
@@ -19,10 +19,7 @@ namespace {
 void change_length(ActiveBlock& block, ToolLength after) {
   if (block.modal.frames.plane.is_aligned) after.mode = LengthMode::tip;
   const ToolLength before = block.modal.tool.length;
-  if (before.mode == after.mode && before.tool == after.tool &&
-      before.offset_mm == after.offset_mm) {
-    return;
-  }
+  if (before == after) return;
   block.modal.tool.length = after;
   block.queue.emit(after);
   if (before.mode == LengthMode::tip || after.mode == LengthMode::tip) {
@@ -61,16 +58,17 @@ std::optional<LengthSource> length_source(ActiveBlock& block) {
 
 using Offset = std::array<double, 3>;
 
-// `base` and the length of the tool, which G44 subtracts.
-Offset offset_of(const ActiveBlock& block, const LengthSource& source, CodeNumber code,
-                 const Offset& base) {
-  const auto tool = block.tables.tool_edge(source.tool, source.edge);
-  if (source.tool == 0 || !tool) return base;
-  Offset offset = base;
-  for (std::size_t k = 0; k < offset.size(); ++k) {
-    offset[k] += code == g(44) ? -tool->length_mm[k] : tool->length_mm[k];
-  }
-  return offset;
+ToolLength length_of_row(const ActiveBlock& block, const LengthSource& source, CodeNumber code,
+                         const Offset& base) {
+  ToolLength length;
+  length.mode = leads_tip(code) ? LengthMode::tip : LengthMode::length;
+  length.tool = source.tool;
+  length.edge = source.edge;
+  length.base_mm = base;
+  if (source.tool != 0)
+    length.row = code == g(44) ? ToolLength::Row::subtracted : ToolLength::Row::added;
+  take_row(length, block.tables);
+  return length;
 }
 
 void set_by_axis_words(ActiveBlock& block) {
@@ -121,6 +119,16 @@ std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRota
 }
 
 }  // namespace
+
+// The base stays, and the row is added.
+void take_row(ToolLength& length, const Tables& tables) {
+  length.offset_mm = length.base_mm;
+  const auto tool = tables.tool_edge(length.tool, length.edge);
+  if (length.row == ToolLength::Row::none || !tool) return;
+  const double sign = length.row == ToolLength::Row::subtracted ? -1.0 : 1.0;
+  for (std::size_t k = 0; k < length.offset_mm.size(); ++k)
+    length.offset_mm[k] += sign * tool->length_mm[k];
+}
 
 bool turn_axes(ActiveBlock& block, const Alignment& found, Move& move) {
   move.words = static_cast<AxisSet>(move.words | found.axes);
@@ -181,16 +189,8 @@ void align_tool(ActiveBlock& block, CodeNumber code) {
 }
 
 void use_tool_offset(ActiveBlock& block, int tool, int edge) {
-  ToolLength length;
   const bool known = tool != 0 && edge != 0 && block.tables.tool_edge(tool, edge);
-  block.modal.tool.length_base_mm = {};
-  block.modal.tool.length_edge = std::max(edge, 1);
-  if (known) {
-    length.mode = LengthMode::length;
-    length.tool = tool;
-    length.offset_mm = offset_of(block, {tool, edge}, g(43), {});
-  }
-  change_length(block, length);
+  change_length(block, known ? length_of_row(block, {tool, edge}, g(43), {}) : ToolLength{});
   block.set_modal(Group::length, known ? g(43) : g(49));
 }
 
@@ -204,31 +204,12 @@ void compensate_length(ActiveBlock& block, CodeNumber code) {
   }
   const auto source = length_source(block);
   if (!source) return;
-  ModalState& modal = block.modal;
-  modal.tool.length_base_mm = code == g(43, 2) ? modal.tool.length.offset_mm : Offset{};
-  modal.tool.length_edge = source->edge;
-  ToolLength length;
-  length.mode = leads_tip(code) ? LengthMode::tip : LengthMode::length;
-  length.tool = source->tool != 0 ? source->tool : modal.tool.active;
-  length.offset_mm = offset_of(block, *source, code, modal.tool.length_base_mm);
-  change_length(block, length);
+  const Offset base = code == g(43, 2) ? block.modal.tool.length.offset_mm : Offset{};
+  change_length(block, length_of_row(block, *source, code, base));
 }
 
 void restore_length(ActiveBlock& block, const ToolLength& saved) {
-  block.modal.tool.length_base_mm = {};
-  block.modal.tool.length_edge = 1;
   change_length(block, saved);
-}
-
-void read_tool_length_again(ActiveBlock& block) {
-  const ModalState& modal = block.modal;
-  const CodeNumber code = modal.code(Group::length);
-  if (modal.tool.length.mode == LengthMode::off || code == g(43, 1)) return;
-  if (!block.tables.tool_edge(modal.tool.length.tool, modal.tool.length_edge)) return;
-  ToolLength length = modal.tool.length;
-  length.offset_mm =
-      offset_of(block, {length.tool, modal.tool.length_edge}, code, modal.tool.length_base_mm);
-  change_length(block, length);
 }
 
 }  // namespace stanok::lang

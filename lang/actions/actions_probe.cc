@@ -64,7 +64,7 @@ bool has_offset(ActiveBlock& block) {
   const ToolLength& length = block.modal.tool.length;
   const CodeNumber code = block.modal.code(Group::length);
   const bool plain = code == g(43) && length.mode == LengthMode::length && length.tool != 0;
-  if (plain && block.tables.tool_edge(length.tool, block.modal.tool.length_edge)) return true;
+  if (plain && block.tables.tool_edge(length.tool, length.edge)) return true;
   BlockFault& fault =
       block.fail("E4325", code_g37, "there is no tool offset for `G37` to correct", "no offset");
   fault.notes.push_back(block.modal.origin_of(Group::length));
@@ -122,10 +122,10 @@ void correct_wear(ActiveBlock& block, std::size_t geometry) {
     return;
   }
   const ModalTool& tool = block.modal.tool;
-  const auto edge = block.tables.tool_edge(tool.length.tool, tool.length_edge);
+  const auto edge = block.tables.tool_edge(tool.length.tool, tool.length.edge);
   if (!edge) return;
   write_tool(block, tool.length.tool, wears[geometry], edge->wear_mm[geometry] + error,
-             tool.length_edge);
+             tool.length.edge);
 }
 
 // G31 over no way, or over less than a probe can change in. It is no error on Fanuc and Haas

@@ -21,6 +21,7 @@ bool excludes_transformation(ActiveBlock& block, CodeNumber code) {
 }
 
 void change(ActiveBlock& block, const TransformationChange& transformation) {
+  block.modal.transformation.change = transformation;
   block.modal.transformation.axis = transformation.rotary_axis;
   block.modal.transformation.cylinder_radius_mm = transformation.radius_mm;
   block.queue.emit(transformation);

@@ -21,16 +21,15 @@ namespace {
 constexpr std::string_view version = "GV1";
 
 // Where a value stands in the modal state.
-using Member =
-    std::variant<bool ModalFeed::*, double ModalFeed::*, FeedLaw ModalFeed::*,
-                 bool ModalSpindles::*, int ModalSpindles::*, double ModalSpindles::*,
-                 bool ModalSwitches::*, int ModalTool::*, double ModalTool::*,
-                 TurningWay ModalTool::*, int ToolLength::*, std::array<double, 3> ToolLength::*,
-                 bool FrameSettings::*, int FrameSettings::*, AxisValues FrameSettings::*,
-                 double ProgrammedRotation::*, std::array<double, 3> ProgrammedRotation::*,
-                 bool TiltedPlane::*, std::array<double, 3> TiltedPlane::*, bool SetUpError::*,
-                 std::array<double, 3> SetUpError::*, double PathControl::*,
-                 CoordinateMap ModalState::*>;
+using Member = std::variant<
+    bool ModalFeed::*, double ModalFeed::*, FeedLaw ModalFeed::*, bool ModalSpindles::*,
+    int ModalSpindles::*, double ModalSpindles::*, bool ModalSwitches::*, int ModalTool::*,
+    double ModalTool::*, TurningWay ModalTool::*, int ToolLength::*,
+    std::array<double, 3> ToolLength::*, ToolLength::Row ToolLength::*, bool FrameSettings::*,
+    int FrameSettings::*, AxisValues FrameSettings::*, double ProgrammedRotation::*,
+    std::array<double, 3> ProgrammedRotation::*, bool TiltedPlane::*,
+    std::array<double, 3> TiltedPlane::*, bool SetUpError::*, std::array<double, 3> SetUpError::*,
+    double PathControl::*, CoordinateMap ModalState::*>;
 
 struct Field {
   StateParts part;
@@ -59,6 +58,9 @@ const auto fields = std::to_array<Field>({
     {state_tool, "T", &ModalTool::active},
     {state_tool, "H", &ToolLength::tool},
     {state_tool, "length", &ToolLength::offset_mm},
+    {state_tool, "edge", &ToolLength::edge},
+    {state_tool, "row", &ToolLength::row},
+    {state_tool, "base", &ToolLength::base_mm},
     {state_tool, "overhang_axis", &ModalTool::overhang_axis},
     {state_tool, "overhang_shift", &ModalTool::overhang_shift_mm},
     {state_frames, "G52", &FrameSettings::local_shift},
@@ -278,6 +280,7 @@ bool is_plausible(const ModalState& state) {
   const bool turned = state.code(Group::rotation) == g(68);
   if (turned && state.frames.rotation.axis == std::array<double, 3>{}) return false;
   if (state.tool.turning > TurningWay::axis) return false;
+  if (state.tool.length.row > ToolLength::Row::subtracted) return false;
   return state.tool.overhang_axis >= -1 && state.tool.overhang_axis < axes_max;
 }
 

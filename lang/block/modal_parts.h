@@ -190,9 +190,7 @@ struct ModalTool {
   int active = 0;
   int edge = 1;
   ToolLength length;
-  std::array<double, 3> length_base_mm{};  // to which the length of the edge was added (G43.2)
-  int length_edge = 1;                     // of length.tool
-  int radius_offset = -1;                  // last D of the Fanuc dialect; -1: none
+  int radius_offset = -1;  // last D of the Fanuc dialect; -1: none
   // #tool_overhang: what it adds to the programmed position of its axis.
   int overhang_axis = -1;
   double overhang_shift_mm = 0.0;
@@ -257,6 +255,7 @@ struct FrameSettings {
 };
 
 struct ActiveTransformation {
+  TransformationChange change;      // as the channel has been given it
   int axis = -1;                    // the rotary one of G12.1 or G7.1; -1: off
   double cylinder_radius_mm = 0.0;  // G7.1
   // G7.1: the linear coordinate along the axis of the cylinder, 2 of C, 0 of A, 1 of B.

@@ -208,13 +208,21 @@ struct ToolChange {
 
 enum class LengthMode : std::uint8_t { off, length, tip };  // G49, G43/G43.1/G43.2, G43.4/G43.5
 
-// Tool length compensation as resolved from the tool table. The axes do not move; without
-// LengthMode::tip before and after, the interpreter moves its own position by the change of
-// `offset_mm`; else it follows up with RequestKind::sync.
+// Tool length compensation: `offset_mm` is in force, the rest says where it came from. Kept, saved
+// and restored as one value; never put together again from its parts but by an operator's change
+// of the row. The axes do not move; without LengthMode::tip before and after, the interpreter moves
+// its own position by the change of `offset_mm`; else it follows up with RequestKind::sync.
 struct ToolLength {
+  enum class Row : std::uint8_t { none, added, subtracted };  // G43.1, H0; G43; G44
+
   LengthMode mode = LengthMode::off;
-  int tool = 0;                       // H, or the active tool
+  int tool = 0;  // H, or the active tool; 0 with H0
+  int edge = 1;
+  Row row = Row::none;                // how the row of `tool` and `edge` is in `offset_mm`
+  std::array<double, 3> base_mm{};    // to which it was added (G43.2)
   std::array<double, 3> offset_mm{};  // along X, Y, Z of the machine when not tilted
+
+  friend bool operator==(const ToolLength&, const ToolLength&) = default;
 };
 
 // The complete frame W -> base of the scheme: p_B = rotation * p_W + offset. Sent whenever it

@@ -36,7 +36,9 @@ BlockRunner::BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStor
       parameters_(parameters),
       corners_(state.channel_words),
       compensation_(state.channel_words),
-      text_values_(parameters) {}
+      text_values_(parameters) {
+  stand_in_default();
+}
 
 void BlockRunner::reset() {
   state_.queue.clear();
@@ -49,19 +51,48 @@ void BlockRunner::reset() {
 
 void BlockRunner::begin(const AxisValues& position_B) {
   ModalState& modal = state_.modal;
-  const int tool_active = modal.tool.active;
-  modal = default_modal_state(state_.channel.kind);
-  if (vm_.file().source.rules().is_linuxcnc()) begin_as_linuxcnc(modal);
-  modal.tool.active = tool_active;
-  modal.geometry = state_.channel_words.geometry();
-  take_work_offset(modal, state_.tables, modal.frames.work_offset_number);
+  modal = default_state(vm_.file().source.rules(), {standing_.tool.active, standing_.tool.edge});
   modal.position_W = modal.frame().work_from_base(position_B);
 }
 
-// Tables and axes may have changed since the line before.
-void BlockRunner::continue_lines(const AxisValues& position_B) {
-  read_tables_again();
+void BlockRunner::begin_line(const AxisValues& position_B) {
+  state_.modal = standing_;
   state_.modal.adopt_position(position_B);
+}
+
+ModalState BlockRunner::default_state(const TextRules& rules, const ToolInPlace& tool) const {
+  ModalState modal = default_modal_state(state_.channel.kind);
+  if (rules.is_linuxcnc()) begin_as_linuxcnc(modal);
+  modal.tool.active = tool.number;
+  modal.tool.edge = tool.edge;
+  modal.geometry = state_.channel_words.geometry();
+  take_work_offset(modal, state_.tables, modal.frames.work_offset_number);
+  return modal;
+}
+
+void BlockRunner::stand_in_default() {
+  standing_ =
+      default_state(state_.channel.rules, {state_.modal.tool.active, state_.modal.tool.edge});
+  code_changes_.note(state_.blocks, standing_.codes);
+}
+
+void BlockRunner::take_tool(const ToolInPlace& tool) {
+  standing_.tool.active = tool.number;
+  standing_.tool.edge = tool.edge;
+}
+
+// A length counts at once where an operator writes it while the channel stands; a program that
+// writes one takes it with its next G43.
+void BlockRunner::take_changed_rows(const ChangedRows& rows) {
+  ToolLength& length = standing_.tool.length;
+  if (rows.has_tool(length.tool, length.edge)) take_row(length, state_.tables);
+  FrameSettings& frames = standing_.frames;
+  if (rows.has_offset(frames.work_offset_number))
+    take_work_offset(standing_, state_.tables, frames.work_offset_number);
+}
+
+Standing BlockRunner::standing() const {
+  return {frame_of(standing_), standing_.tool.length, standing_.transformation.change};
 }
 
 void BlockRunner::emit_first_commands() {
@@ -255,11 +286,8 @@ void BlockRunner::adopt_position(const AxisValues& position_B) {
   compensation_.adopt_position();
 }
 
-// What an operator or a Request may have changed while the axes stood.
-void BlockRunner::read_tables_again() {
+void BlockRunner::read_work_offset_again() {
   ModalState& modal = state_.modal;
-  ActiveBlock block = state_.block_at(vm_.span().line);
-  read_tool_length_again(block);
   const WorkFrame before = modal.frame();
   take_work_offset(modal, state_.tables, modal.frames.work_offset_number);
   if (modal.frame() == before) return;
@@ -283,7 +311,6 @@ void BlockRunner::take_probe_answer(const Answer& answer) {
 void BlockRunner::emit_end(ProgramEndKind kind) {
   const ModalState& modal = state_.modal;
   CommandQueue& queue = state_.queue;
-  code_changes_.note(state_.blocks, default_codes(state_.channel.kind));
   if (modal.feed.law.kind != FeedLaw::Kind::off) queue.emit(FeedLawChange{});
   if (modal.spindles.any_runs) queue.emit(SpindleCommand{.spindle = -1});
   if (modal.switches.mist || modal.switches.flood) queue.emit(CoolantCommand{});

@@ -14,6 +14,7 @@
 
 #include "lang/block/radius_compensation.h"
 #include "lang/contract/active_codes.h"
+#include "lang/contract/standing.h"
 #include "lang/corners/corner_stage.h"
 #include "lang/program/code.h"
 #include "lang/run/block_state.h"
@@ -36,11 +37,20 @@ class BlockRunner {
   // All must outlive this.
   BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStore& parameters);
 
-  // A run begins with the default modal state, or with that of the line before.
+  // A run begins with the default modal state, or with that in which the channel stands.
   void reset();
   void begin(const AxisValues& position_B);
-  void continue_lines(const AxisValues& position_B);
+  void begin_line(const AxisValues& position_B);
   void emit_first_commands();
+
+  // The channel stands from here on in the modal state of now; in the default one.
+  void stand_as_now() { standing_ = state_.modal; }
+  void stand_in_default();
+  // The machine has this tool in place; a run begins with it.
+  void take_tool(const ToolInPlace& tool);
+  // An operator has changed these rows: what stands of them is as they are now.
+  void take_changed_rows(const ChangedRows& rows);
+  [[nodiscard]] Standing standing() const;
 
   // Reads the next plain line.
   [[nodiscard]] LineResult take_line(Command& command);
@@ -65,7 +75,8 @@ class BlockRunner {
 
   // The axes stand at `position_B`, or at least the queue is empty.
   void adopt_position(const AxisValues& position_B);
-  void read_tables_again();
+  // The row of the active work offset was written by the program itself.
+  void read_work_offset_again();
   void take_probe_answer(const Answer& answer);
 
   // What M2 and M30 reset, as commands before the end itself.
@@ -91,7 +102,10 @@ class BlockRunner {
   void fail_earlier(FaultOfCommand fault);
   [[nodiscard]] Passed adopt_words(ActiveBlock& block);
 
+  [[nodiscard]] ModalState default_state(const TextRules& rules, const ToolInPlace& tool) const;
+
   BlockState& state_;
+  ModalState standing_;  // while nothing runs; its position says nothing
   Vm& vm_;
   RunState& run_;
   ParameterStore& parameters_;

@@ -39,8 +39,25 @@ std::optional<Diagnostic> Interpreter::start_at(std::shared_ptr<const Program> p
   return state_->run.start_at(std::move(program), position_B, place);
 }
 
-void Interpreter::reset() {
-  state_->run.forget_lines();
+void Interpreter::reset(const ToolInPlace& tool) {
+  state_->run.stand_in_default();
+  state_->run.take_tool(tool);
+}
+
+void Interpreter::break_off() {
+  state_->run.break_off();
+}
+
+Standing Interpreter::standing() const {
+  return state_->run.standing();
+}
+
+void Interpreter::take_tool(const ToolInPlace& tool) {
+  state_->run.take_tool(tool);
+}
+
+void Interpreter::take_changed_rows(const ChangedRows& rows) {
+  state_->run.take_changed_rows(rows);
 }
 
 Step Interpreter::next(Command& command) {

@@ -12,6 +12,7 @@
 #include "lang/contract/active_codes.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
+#include "lang/contract/standing.h"
 #include "lang/program/compile.h"
 #include "lang/run/block_search.h"
 
@@ -42,8 +43,8 @@ class Interpreter {
   // move.
   void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
 
-  // Begins a run of a line. Modal state lasts from line to line; the first one after a program or
-  // a reset begins with the default state.
+  // Begins a run of a line, in the state in which the channel stands: modal state lasts from line
+  // to line; behind a program or a reset it is the default one.
   void start_line(std::shared_ptr<const Program> line, const AxisValues& position_B);
 
   // Begins a run that stops, once, before `place` (Step::stopped): block search with calculation.
@@ -57,8 +58,20 @@ class Interpreter {
                                                    const AxisValues& position_B,
                                                    const StopPlace& place);
 
-  // The channel was reset: the modal state of lines is forgotten.
-  void reset();
+  // Whatever runs is over: the channel stands in the default state, with this tool in place. What
+  // was interpreted ahead did not come about.
+  void reset(const ToolInPlace& tool);
+
+  // The run is over, where what it wants cannot be done.
+  void break_off();
+
+  // In what the channel stands while nothing runs. Of a run it holds when that has ended or failed;
+  // a search leaves it as it is.
+  [[nodiscard]] Standing standing() const;
+  // The machine has this tool in place.
+  void take_tool(const ToolInPlace& tool);
+  // An operator has changed rows of the tables while the channel stands.
+  void take_changed_rows(const ChangedRows& rows);
 
   // Does a bounded amount of work. `command` is valid only when Step::command is returned.
   [[nodiscard]] Step next(Command& command);

@@ -32,22 +32,19 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, Tables& tables)
       macro_requests_(vm_, state_, parameters_, pending_, requests_),
       directives_(vm_, run_, state_, pending_, requests_) {}
 
-// How a run begins: a program with the default modal state, a line with that of the line before.
+// How a run begins: a program with the default modal state, a line with that in which the channel
+// stands.
 void ProgramRun::start(std::shared_ptr<const Program> program, const AxisValues& position_B) {
   reset(std::move(program));
-  line_ = {};
+  line_runs_ = false;
   blocks_.begin(position_B);
   begin();
 }
 
 void ProgramRun::start_line(std::shared_ptr<const Program> program, const AxisValues& position_B) {
   reset(std::move(program));
-  line_.runs = true;
-  if (std::exchange(line_.state_lasts, true)) {
-    blocks_.continue_lines(position_B);
-  } else {
-    blocks_.begin(position_B);
-  }
+  line_runs_ = true;
+  blocks_.begin_line(position_B);
   begin();
 }
 
@@ -82,6 +79,7 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   stop_.reset();
   pending_.reset();
   run_.forget_error();
+  written_offset_ = 0;
   count_ = {};
   count_.most = state_.channel.bounds.steps;
   for (const auto& one : vm_.program().files) {
@@ -119,6 +117,7 @@ Step ProgramRun::advance(Command& command, int& work) {
     }
     if (!state_.queue.empty()) return deliver(state_.queue, command);
     if (!run_.running()) return failed_or(Step::ended);
+    if (line_runs_) blocks_.stand_as_now();
     if (blocks_.take_rest()) {
       execute_block();
       continue;
@@ -131,6 +130,12 @@ Step ProgramRun::advance(Command& command, int& work) {
     }
   }
   return Step::working;
+}
+
+// The channel stands as a line had it before the statement that failed; behind a program as behind
+// its end; a search has moved nothing.
+void ProgramRun::break_off() {
+  if (!line_runs_ && !stop_.active()) blocks_.stand_in_default();
 }
 
 // A line of plain code. True: it is one command, which is all that there is of it.
@@ -234,7 +239,7 @@ void ProgramRun::leave_subprogram() {
   const auto left = calls_.leave_subprogram();
   if (left == SubprogramCalls::Left::again) return texts_.go_to_block(vm_.frame().block);
   if (left == SubprogramCalls::Left::subprogram) return;
-  if (line_.runs) return end_program(ProgramEndKind::restart);
+  if (line_runs_) return end_program(ProgramEndKind::restart);
   Request request;
   request.kind = RequestKind::program_restart;
   requests_.ask(std::move(request), AnswerUse::restart);
@@ -261,18 +266,20 @@ void ProgramRun::end_program(ProgramEndKind kind) {
   run_.end();
   const bool ends_like_text =
       kind == ProgramEndKind::end_of_text || kind == ProgramEndKind::restart;
-  if (line_.runs && ends_like_text) {
+  if (line_runs_ && ends_like_text) {
+    blocks_.stand_as_now();
     return state_.queue.emit(ProgramEnd{ProgramEndKind::end_of_line});
   }
-  line_.state_lasts = false;
   if (!ends_like_text) macro_requests_.count_part();
   blocks_.emit_end(kind);
+  if (!stop_.active()) blocks_.stand_in_default();
 }
 
 Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
   queue.take(command);
   if (const auto* const request = std::get_if<Request>(&command.payload)) {
     pending_.deliver(*request);
+    if (request->kind == RequestKind::offset_table_write) written_offset_ = request->number;
   }
   return Step::command;
 }
@@ -280,7 +287,10 @@ Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
 void ProgramRun::answer(const Answer& answer) {
   if (!pending_.accept()) return;
   if (answer.position_valid) blocks_.adopt_position(answer.position_B);
-  if (state_.queue.empty()) blocks_.read_tables_again();
+  if (state_.queue.empty() && written_offset_ != 0) {
+    if (std::exchange(written_offset_, 0) == state_.modal.frames.work_offset_number)
+      blocks_.read_work_offset_again();
+  }
   PendingAnswer::Taken taken = pending_.take(answer);
   if (taken.pushed) vm_.stack().push(std::move(*taken.pushed));
   if (taken.refusal) {

@@ -49,7 +49,11 @@ class ProgramRun {
   [[nodiscard]] std::optional<Diagnostic> start_at(std::shared_ptr<const Program> program,
                                                    const AxisValues& position_B,
                                                    const StopPlace& place);
-  void forget_lines() { line_.state_lasts = false; }
+  [[nodiscard]] Standing standing() const { return blocks_.standing(); }
+  void break_off();
+  void stand_in_default() { blocks_.stand_in_default(); }
+  void take_tool(const ToolInPlace& tool) { blocks_.take_tool(tool); }
+  void take_changed_rows(const ChangedRows& rows) { blocks_.take_changed_rows(rows); }
   [[nodiscard]] Passed pass_fault() { return blocks_.pass_fault(); }
   [[nodiscard]] Step next(Command& command);
   void answer(const Answer& answer);
@@ -71,12 +75,6 @@ class ProgramRun {
     std::uint64_t renewed_at = 0;    // steps at that time
     std::uint64_t most = 0;          // since then
   };
-  // What is executed is a line of the operator; the modal state is that of the line before.
-  struct OperatorLine {
-    bool runs = false;
-    bool state_lasts = false;
-  };
-
   void reset(std::shared_ptr<const Program> program);
   void begin();
   Step advance(Command& command, int& work);
@@ -111,7 +109,8 @@ class ProgramRun {
   BlockDirectives directives_;
   SearchStop stop_;
   StepCount count_;
-  OperatorLine line_;
+  bool line_runs_ = false;  // of the operator: the modal state goes on
+  int written_offset_ = 0;  // the work offset that the program itself wrote; 0: none
 };
 
 }  // namespace stanok::lang

@@ -136,11 +136,14 @@ TEST_F(ItemWorkerTest, SingleBlockHoldsBeforeTheNextStatement) {
 }
 
 TEST_F(ItemWorkerTest, AResetDropsItemsUpToItsOwn) {
+  const kinematics::Transform transform;
+  Rest rest;
   push(lang::Dwell{});
-  EXPECT_FALSE(worker_.drop_until_reset_done());
-  push(ResetDone{});
+  EXPECT_FALSE(worker_.drop_until_reset_done(rest));
+  push(ResetDone{{&transform}});
   push(LoadDone{});
-  EXPECT_TRUE(worker_.drop_until_reset_done());
+  EXPECT_TRUE(worker_.drop_until_reset_done(rest));
+  EXPECT_EQ(rest.transform, &transform);
   EXPECT_EQ(bench_.link.items.size(), 1U);
 }
 
@@ -150,7 +153,7 @@ TEST_F(ItemWorkerTest, AStartSaysWhereTheAxesStandAndWhatIsSkipped) {
   worker_.begin_run(Job::line);
   const auto notice = std::get<LineStart>(bench_.notice());
   EXPECT_EQ(notice.start.run, 2U);
-  EXPECT_EQ(notice.start.axes_M[1], 20.0);
+  EXPECT_EQ(notice.start.stand.axes_M[1], 20.0);
   EXPECT_EQ(notice.start.block_skip, 1U << 2);
 }
 

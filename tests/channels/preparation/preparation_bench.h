@@ -23,7 +23,7 @@ struct PreparationBench {
   static ProgramLoad load_of(const std::string& program) {
     return {.number = 1, .load_in_use = 0, .program = ShortText(program)};
   }
-  static RunStart start() { return {.run = 7, .load = 1, .scheme = 1}; }
+  static RunStart start() { return {.run = 7, .load = 1, .stand = {.scheme = 1}}; }
 
   MachineConfig machine = stanok::testing::two_channel_machine();
   const ChannelConfig& channel = machine.channels[0];

@@ -58,10 +58,10 @@ TEST(PreparationPartsTest, BeginsAfreshInAScheme) {
   EXPECT_EQ(parts.scheme, nullptr);
   motion::Point axes_M{};
   axes_M[1] = 12.5;
-  parts.restart(2, axes_M);
+  parts.restart({.scheme = 2, .axes_M = axes_M});
   EXPECT_EQ(parts.scheme, bench.schemes.at(2).get());
   EXPECT_EQ(parts.feed.blocks().axes_M()[1], 12.5);
-  parts.restart(99, {});
+  parts.restart({.scheme = 99});
   EXPECT_EQ(parts.scheme, nullptr);
 }
 

@@ -49,7 +49,7 @@ TEST_F(SearchRunnerTest, FindsTheBlockAndTellsWhereItIs) {
 
 TEST_F(SearchRunnerTest, TheRunIsEnteredWithItsStateAndAnApproach) {
   ASSERT_EQ(look("5", true), Result::found);
-  parts_.restart(1, {});
+  parts_.restart({.scheme = 1});
   ASSERT_EQ(finished(search_.begin_run()), Result::entered);
   EXPECT_FALSE(search_.is_set());
   lang::Command command;
@@ -67,7 +67,7 @@ TEST_F(SearchRunnerTest, TheRunIsEnteredWithItsStateAndAnApproach) {
 
 TEST_F(SearchRunnerTest, WithoutCalculationTheRunIsEnteredAtOnce) {
   ASSERT_EQ(look("5", false), Result::found);
-  parts_.restart(1, {});
+  parts_.restart({.scheme = 1});
   EXPECT_EQ(search_.begin_run(), Result::entered);
   lang::Command command;
   EXPECT_FALSE(search_.next_entry(command));

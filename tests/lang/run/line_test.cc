@@ -121,7 +121,7 @@ TEST_F(LineTest, AProgramBetweenBringsTheDefaultStateBack) {
 
 TEST_F(LineTest, AResetBringsTheDefaultStateBack) {
   enter("G91 G20");
-  interpreter->reset();
+  interpreter->reset({});
   position_B[0] = 5.0;
   enter("G0 X1");
   EXPECT_EQ(end_x(), 1.0);

@@ -1,6 +1,7 @@
 // Two channels side by side, without preparations, for tests of what the coordinator is made of.
 //
-// Channel 4 (index 0) and channel 7 (index 1) have axes of their own; both have power.
+// Channel 4 (index 0) and channel 7 (index 1) have axes of their own; both have power and are
+// settled.
 #pragma once
 
 #include <memory>
@@ -19,13 +20,14 @@ class CoordinatorBench {
       channel->power(channels::Power::on);
       channel->run.apply(channels::Change::loaded);
     }
+    cycles(3);
   }
 
-  // A cycle of both; their preparations do nothing but obey resets.
+  // A cycle of both; their preparations do nothing but say how they stand.
   void cycle() {
     ++now_;
     for (std::size_t k = 0; k < links_.size(); ++k) {
-      obey_reset(links_[k], resets_done_[k]);
+      obey(links_[k]);
       channels::Channel& channel = table[static_cast<int>(k)];
       channel.see_arrivals();
       channel.watch_drives({});
@@ -48,13 +50,17 @@ class CoordinatorBench {
     made.machine_axis = {first_axis, first_axis + 1, first_axis + 2};
     return made;
   }
-  static void obey_reset(channels::ChannelLink& link, std::uint32_t& done) {
-    if (link.resets_wanted == done) return;
-    channels::Notice notice;
-    while (link.notices.pop(notice)) {
-      if (!std::holds_alternative<channels::PathReset>(notice)) continue;
-      ++done;
-      static_cast<void>(link.items.push({.content = channels::ResetDone{}}));
+  static void obey(channels::ChannelLink& link) {
+    for (std::size_t count = link.notices.size(); count > 0; --count) {
+      channels::Notice notice;
+      static_cast<void>(link.notices.pop(notice));
+      if (std::holds_alternative<channels::PathReset>(notice)) {
+        static_cast<void>(link.items.push({.content = channels::ResetDone{}}));
+      } else if (std::holds_alternative<channels::Settle>(notice)) {
+        static_cast<void>(link.items.push({.content = channels::Settled{}}));
+      } else {
+        static_cast<void>(link.notices.push(notice));  // for the test
+      }
     }
   }
 
@@ -63,7 +69,6 @@ class CoordinatorBench {
   Signals outputs_;
   BenchSchemes schemes_ = bench_schemes();
   std::array<channels::ChannelLink, 2> links_;
-  std::array<std::uint32_t, 2> resets_done_{};
   std::int64_t now_ = 0;
   channels::Channel first_{bench_motion(), constants(4, 0),
                            schemes_,       0,
