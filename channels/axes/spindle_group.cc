@@ -222,7 +222,9 @@ void SpindleGroup::show(ProcessOutput& output) const RT_SAFE {
   output.feed_mm_per_rev = speed > 0.0 ? output.feed_mm_per_min / speed : 0.0;
   output.cutting_speed_m_per_min = std::numbers::pi * motion_.diameter() * speed / mm_per_m;
   for (int s = 0; s < constants_.spindle_count; ++s)
-    output.spindles[s] = {.id = spindles_[s].id(), .rev_per_min = spindles_[s].speed()};
+    output.spindles[s] = {.id = spindles_[s].id(),
+                          .rev_per_min = spindles_[s].speed(),
+                          .target_rev_per_min = spindles_[s].target()};
 }
 
 }  // namespace stanok::channels

@@ -146,8 +146,9 @@ struct ToolAtWork {
 
 // What a spindle of the channel is asked for in this cycle: its ramps are made.
 struct SpindleSetpoint {
-  std::int32_t id = 0;       // 0: there is none
-  double rev_per_min = 0.0;  // clockwise > 0
+  std::int32_t id = 0;              // 0: there is none
+  double rev_per_min = 0.0;         // clockwise > 0
+  double target_rev_per_min = 0.0;  // to which the ramp leads
 };
 inline constexpr int spindles_max = 4;
 
@@ -200,7 +201,9 @@ struct ChannelOutput {
   Wait wait;              // for what
   HoldCause hold_cause = HoldCause::none;
   std::int32_t scheme = 0;
-  motion::BlockTag tag;         // of the current block; line 0: no program runs
+  // Of what took effect last, a block of the path or an item beside it; line 0: no program runs.
+  // Its situation is that of everything here, also while nothing runs.
+  motion::BlockTag tag;
   FixedText<96> program;        // of the run, from its first current block on, also when it is over
   double feed_commanded = 0.0;  // mm/s before override; 0 in rapid
   double path_speed = 0.0;      // mm/s
@@ -208,6 +211,7 @@ struct ChannelOutput {
   double feed_override = 1.0;
   ProcessOutput process;
   Workpiece workpiece;
+  lang::CoolantCommand coolant;
   ToolAtWork tool;
   ToolRow tool_row;              // of that tool, as the table has it in this cycle
   motion::JetPoint point_W{};    // programmed point in W with time derivatives, channel axis order

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "lang/contract/active_codes.h"
+#include "lang/contract/meaning.h"
 #include "lang/run/block_search.h"
 #include "motion/path/path.h"
 
@@ -74,11 +74,13 @@ struct SearchReport {
   lang::SearchState state;
 };
 
-struct BlockReport {
-  lang::ActiveCodes codes{};
+// What gives the words of a channel their meaning, and where its current block ends.
+struct SituationReport {
+  std::uint32_t number = 0;
+  lang::Meaning meaning;
   // Of the current block or the latest one before it that moves, in the workpiece system of that
   // block; nothing: none does, or no program runs.
-  std::optional<motion::Point> end_W;
+  std::optional<motion::Point> end_W{};
 };
 
 }  // namespace stanok::channels

@@ -13,7 +13,7 @@
 #include "channels/coordinator/control_desk.h"
 #include "channels/coordinator/machine_stores.h"
 #include "channels/coordinator/verdict.h"
-#include "lang/contract/standing.h"
+#include "lang/contract/changed_rows.h"
 
 namespace stanok::channels {
 

@@ -63,7 +63,7 @@ void Channel::continue_reset() RT_SAFE {
   items_.end_all();
   if (state().is_running()) run.end_run(RunResult::failed, runs.blocks());
   run.finish_reset();
-  motion.rest_in(rest.transform);
+  items_.rest(rest);
 }
 
 void Channel::forget_path() RT_SAFE {
@@ -98,6 +98,7 @@ void Channel::move() RT_SAFE {
   const auto fault = motion.advance(queue, control, chunk_limit,
                                     is_guarded ? SoftLimits::guarded : SoftLimits::not_guarded);
   runs.advance(motion.path(), lookahead_blocks);
+  items_.follow(motion.path().tag);
   if (fault) run.fault(*fault);
   if (!motion.manual().is_active()) run.apply(Change::hand_ends);
 }
@@ -172,7 +173,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.waiting = items_.is_waiting() || marks.is_waiting();
   output.wait = marks.is_waiting() ? marks.waits_for() : items_.waits_for();
   output.scheme = schemes.active_id();
-  output.tag = state().is_running() ? items_.current_tag() : motion::BlockTag{};
+  output.tag = items_.current_tag();
   output.feed_override = switches.feed_override();
   output.process = {};
   axes.show(output);
@@ -181,6 +182,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   spindles.show(output.process);
   process.show(output.process);
   output.workpiece = announcements_.workpiece();
+  output.coolant = items_.coolant();
   output.tool = items_.tool();
   output.arrivals = arrivals_.arrivals();
 }

@@ -55,18 +55,18 @@ struct ItemWorker::Execution {
   void operator()(const LoadDone& load) const RT_SAFE { worker.loads_.take(load); }
   void operator()(const RunEnd& end) const RT_SAFE {
     worker.end_run(RunResult::succeeded, end.blocks);
-    parts.motion.rest_in(end.rest.transform);
+    worker.rest(end.rest);
     if (end.is_restart)
       parts.log.tell("W2099", "M99 in the main program ends the simulated run", tag);
   }
   // Spindles and overrides stay as they are.
   void operator()(const LineEnd& end) const RT_SAFE {
     parts.run.end_run(RunResult::succeeded, end.blocks);
-    parts.motion.rest_in(end.rest.transform);
+    worker.rest(end.rest);
   }
   void operator()(const RunFailed& failed) const RT_SAFE {
     worker.end_run(RunResult::failed, failed.blocks);
-    parts.motion.rest_in(failed.rest.transform);
+    worker.rest(failed.rest);
     parts.run.raise_alarm(failed.code.view(), failed.text.view(), tag);
   }
   // Told before.
@@ -74,7 +74,7 @@ struct ItemWorker::Execution {
   // An answer to a reset that is over.
   void operator()(const ResetDone& /*reset*/) const RT_SAFE {}
   void operator()(const Settled& settled) const RT_SAFE {
-    parts.motion.rest_in(settled.rest.transform);
+    worker.rest(settled.rest);
     worker.settling_.finish();
   }
   // The axes stand for one cycle in the new frame, so that every trace begins where they are.
@@ -93,8 +93,7 @@ struct ItemWorker::Execution {
     parts.spindles.command(mode);
     worker.wait_for_spindles();
   }
-  // It has no effect on motion.
-  void operator()(const lang::CoolantCommand& /*coolant*/) const RT_SAFE {}
+  void operator()(const lang::CoolantCommand& coolant) const RT_SAFE { worker.coolant_ = coolant; }
   void operator()(const lang::ToolChange& change) const RT_SAFE {
     worker.tool_ = {change.tool, change.edge};
   }
@@ -176,6 +175,7 @@ void ItemWorker::advance() RT_SAFE {
     if (is_of_program(next.content) && !parts_.run.stepper().admits(next.tag))
       return parts_.run.hold(HoldCause::single_block);
     static_cast<void>(items.pop(item_));
+    if (item_.tag.line != 0 && item_.tag.run == parts_.runs.run()) now_ = item_.tag;
     visit_in_cycle(Execution{*this, parts_, item_.tag}, item_.content);
   }
 }
@@ -264,6 +264,7 @@ void ItemWorker::end_run(RunResult result, std::uint64_t blocks) RT_SAFE {
 
 // What programs and lines brought about is over with a program, and with a reset.
 void ItemWorker::end_effects() RT_SAFE {
+  coolant_ = {};
   parts_.switches.admit({});
   parts_.motion.interrupt_feed({});
   static_cast<void>(parts_.process.command(motion::ForceCommand{}));
@@ -305,7 +306,10 @@ bool ItemWorker::drop_until_reset_done(Rest& rest) RT_SAFE {
 }
 
 Stand ItemWorker::stand() const RT_SAFE {
-  return {.scheme = parts_.schemes.active_id(), .axes_M = parts_.motion.axes_M(), .tool = tool_};
+  return {.scheme = parts_.schemes.active_id(),
+          .axes_M = parts_.motion.axes_M(),
+          .tool = tool_,
+          .situation = now_.situation};
 }
 
 RunStart ItemWorker::run_start() const RT_SAFE {
@@ -327,6 +331,7 @@ void ItemWorker::begin_run(Job job) RT_SAFE {
     parts_.process.restart_laws();
   }
   parts_.run.begin_run();
+  now_.run = parts_.runs.run();
   if (job == Job::line) return parts_.link.tell(LineStart{run_start()});
   parts_.link.tell(ProgramStart{run_start()});
 }
@@ -337,9 +342,15 @@ void ItemWorker::begin_switch(int scheme) RT_SAFE {
   change_.begin(scheme);
 }
 
-const motion::BlockTag& ItemWorker::current_tag() const RT_SAFE {
-  const bool is_beside = activity_ != Activity::none && item_.tag.run == parts_.runs.run();
-  return is_beside ? item_.tag : parts_.motion.path().tag;
+void ItemWorker::follow(const motion::BlockTag& tag) RT_SAFE {
+  const bool is_new = tag.run != on_path_.run || tag.block != on_path_.block;
+  on_path_ = tag;
+  if (is_new && tag.run == parts_.runs.run() && parts_.run.state().is_running()) now_ = tag;
+}
+
+void ItemWorker::rest(const Rest& rest) RT_SAFE {
+  parts_.motion.rest_in(rest.transform);
+  now_ = {.situation = rest.situation};
 }
 
 std::uint64_t ItemWorker::chunk_limit() const RT_SAFE {

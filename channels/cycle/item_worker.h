@@ -58,8 +58,12 @@ class ItemWorker {
     return !is_idle() && activity_ != Activity::frame;
   }
   [[nodiscard]] Wait waits_for() const RT_SAFE;
-  // Of the block that is executed, on the path or, as a dwell or a stop, beside it.
-  [[nodiscard]] const motion::BlockTag& current_tag() const RT_SAFE;
+  // Of what took effect last: an item, or a block of the path. While nothing runs it has no line,
+  // and the situation in which the channel stands.
+  [[nodiscard]] const motion::BlockTag& current_tag() const RT_SAFE { return now_; }
+  // The path is at `tag` in this cycle.
+  void follow(const motion::BlockTag& tag) RT_SAFE;
+  void rest(const Rest& rest) RT_SAFE;
   // Chunks that may be entered now: those before the next item, none while an item is at work.
   [[nodiscard]] std::uint64_t chunk_limit() const RT_SAFE;
   // Of an item that waits for nothing but riders; 0: there is none.
@@ -69,6 +73,7 @@ class ItemWorker {
   [[nodiscard]] const LoadDesk& loads() const RT_SAFE { return loads_; }
   [[nodiscard]] const KinematicsChange& change() const RT_SAFE { return change_; }
   [[nodiscard]] const ToolAtWork& tool() const RT_SAFE { return tool_; }
+  [[nodiscard]] const lang::CoolantCommand& coolant() const RT_SAFE { return coolant_; }
   [[nodiscard]] Settling& settling() RT_SAFE { return settling_; }
   [[nodiscard]] const Settling& settling() const RT_SAFE { return settling_; }
   [[nodiscard]] Stand stand() const RT_SAFE;
@@ -94,8 +99,11 @@ class ItemWorker {
   std::int64_t cycles_left_ = 0;  // of the activity
   std::int64_t began_ = 0;        // cycle in which it began
   Item item_;                     // the item being executed
+  motion::BlockTag now_;
+  motion::BlockTag on_path_;  // as it was followed last
   std::optional<OpenRequest> request_;
   ToolAtWork tool_;
+  lang::CoolantCommand coolant_;
   Settling settling_;
 };
 

@@ -4,10 +4,10 @@ namespace stanok::channels {
 
 // Of two different rows of a table all of them are read again.
 void Settling::want(const lang::ChangedRows& rows) RT_SAFE {
-  const bool other_tool = rows.tool != 0 && rows_.tool != 0 &&
-                          (rows.tool != rows_.tool || rows.edge != rows_.edge);
-  const bool other_offset = rows.work_offset != 0 && rows_.work_offset != 0 &&
-                            rows.work_offset != rows_.work_offset;
+  const bool other_tool =
+      rows.tool != 0 && rows_.tool != 0 && (rows.tool != rows_.tool || rows.edge != rows_.edge);
+  const bool other_offset =
+      rows.work_offset != 0 && rows_.work_offset != 0 && rows.work_offset != rows_.work_offset;
   rows_.all = rows_.all || rows.all || other_tool || other_offset;
   if (rows.tool != 0) {
     rows_.tool = rows.tool;

@@ -1,6 +1,6 @@
 // Settling: while nothing runs, the preparation is asked in which frame and with which tool the
-// channel stands, whenever something has changed that this depends on: a row of a table, the scheme,
-// the start of the machine.
+// channel stands, whenever something has changed that this depends on: a row of a table, the
+// scheme, the start of the machine.
 //
 // Several changes are asked about at once. Thread: the real-time cycle. Owner: the ItemWorker.
 // Invariant: is_done() is false from a change until the answer to a question that was asked behind

@@ -79,15 +79,14 @@ struct Seat {
   Seat(const MachineConfig& machine, const ChannelConfig& config, const MachineOptions& options,
        const lang::Files& files, LiveTables& tables, SharedVariables& shared, CycleBooks books)
       : schemes(make_schemes(config)),
-        block_book(lang::default_codes(config.kind)),
         preparation(machine, config, schemes, files,
-                    {tables, shared, link, *books.reports, block_book}, options.gives_up),
+                    {tables, shared, link, *books.reports, situations}, options.gives_up),
         channel(motion_config(machine, config), channel_constants(machine, config, options),
                 schemes, config.scheme, link, books) {}
 
   SchemeSet schemes;
   ChannelLink link;
-  BlockBook block_book;
+  SituationBook situations;
   Preparation preparation;
   Channel channel;
   RowAtWork row_at_work;
@@ -267,10 +266,9 @@ std::optional<SearchReport> Machine::search(int channel) const {
   return parts_->reports.search(channel);
 }
 
-BlockReport Machine::block(const ChannelOutput& shown) const {
+SituationReport Machine::situation(const ChannelOutput& shown) const {
   for (const auto& seat : parts_->seats) {
-    if (seat->channel.id() != shown.id) continue;
-    return shown.running ? seat->block_book.at(shown.tag) : seat->block_book.newest();
+    if (seat->channel.id() == shown.id) return seat->situations.at(shown.tag);
   }
   return {};
 }

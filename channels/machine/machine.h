@@ -95,8 +95,8 @@ class Machine {
   [[nodiscard]] std::vector<AlarmReport> load_diagnostics() const;
   // Where the next run of the channel with this id begins; nothing: at the first block.
   [[nodiscard]] std::optional<SearchReport> search(int channel) const;
-  // The current block of a channel, as its output tells it; any thread.
-  [[nodiscard]] BlockReport block(const ChannelOutput& shown) const;
+  // What gives the words of a channel their meaning, as its output tells it; any thread.
+  [[nodiscard]] SituationReport situation(const ChannelOutput& shown) const;
   [[nodiscard]] TablesConfig tables() const;
 
  private:

@@ -28,6 +28,7 @@ struct LoadDone {
 // is shown, and from which the next line begins; nullptr: as before.
 struct Rest {
   const kinematics::Transform* transform = nullptr;
+  std::uint32_t situation = 0;
 };
 
 // The program came to its end.

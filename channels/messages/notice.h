@@ -9,8 +9,8 @@
 #include "channels/contract/operator_command.h"
 #include "channels/contract/output.h"
 #include "channels/contract/texts.h"
+#include "lang/contract/changed_rows.h"
 #include "lang/contract/command.h"
-#include "lang/contract/standing.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
@@ -31,6 +31,7 @@ struct Stand {
   std::int32_t scheme = 0;
   motion::Point axes_M{};
   ToolAtWork tool{};
+  std::uint32_t situation = 0;  // that the cycle shows
 };
 
 // What a run begins with.

@@ -87,7 +87,7 @@ bool BlockPreparation::take_state(const lang::Payload& command) {
   return false;
 }
 
-void BlockPreparation::settle(const lang::Standing& standing) {
+void BlockPreparation::settle(const lang::MeaningTerms& standing) {
   const bool is_transformed = standing.transformation.kind != lang::Transformation::off;
   if (face_.is_on() && !is_transformed)
     static_cast<void>(set_transformation(standing.transformation));

@@ -14,7 +14,7 @@
 #include "channels/preparation/face_transformation.h"
 #include "channels/preparation/process_preparation.h"
 #include "lang/contract/command.h"
-#include "lang/contract/standing.h"
+#include "lang/contract/meaning.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
@@ -41,7 +41,7 @@ class BlockPreparation {
   [[nodiscard]] bool take_state(const lang::Payload& command);
 
   // What is in force while nothing runs; the axes stay. Behind the end of a chain, or of restart().
-  void settle(const lang::Standing& standing);
+  void settle(const lang::MeaningTerms& standing);
 
   // A feed law for the motion that follows; the path goes on.
   void take_process(const lang::Payload& command) {

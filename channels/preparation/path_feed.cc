@@ -149,7 +149,7 @@ void PathFeed::take_other(const lang::Command& command, Taken& taken) {
 
 void PathFeed::take_state(const lang::Command& command) {
   end_chain();
-  if (blocks_.take_state(command.payload)) give_transform();
+  if (blocks_.take_state(command.payload)) give_transform(tag_of(command));
 }
 
 PathFeed::Refusal PathFeed::take_transformation(const lang::Command& command,
@@ -267,7 +267,7 @@ void PathFeed::take_end(const lang::Command& command, const lang::ProgramEnd& en
         .content = RunEnd{.blocks = blocks_executed_, .is_restart = is_restart, .rest = rest()}});
 }
 
-void PathFeed::settle(const lang::Standing& standing) {
+void PathFeed::settle(const lang::MeaningTerms& standing) {
   end_chain();
   blocks_.settle(standing);
   builder_.restart(blocks_.position_W(), blocks_.geometry());
@@ -293,9 +293,9 @@ void PathFeed::give_remark(const Remark& remark) {
   sink_->take_remark(remark);
 }
 
-void PathFeed::give_transform() {
+void PathFeed::give_transform(const motion::BlockTag& tag) {
   builder_.restart(blocks_.position_W(), blocks_.geometry());
-  give({.content = TransformSet{&blocks_.transform()}});
+  give({.tag = tag, .content = TransformSet{&blocks_.transform()}});
 }
 
 void PathFeed::end_chain() {
@@ -350,11 +350,11 @@ void PathFeed::forget_path() {
 }
 
 motion::BlockTag PathFeed::tag_of(const lang::Command& command) const {
-  return {run_, command.block, command.origin.line, command.origin.file};
+  return {run_, command.block, command.origin.line, command.origin.file, situation_};
 }
 
 motion::BlockTag PathFeed::tag_at(int line, std::uint16_t file) const {
-  return {run_, blocks_executed_, static_cast<std::uint32_t>(std::max(0, line)), file};
+  return {run_, blocks_executed_, static_cast<std::uint32_t>(std::max(0, line)), file, situation_};
 }
 
 }  // namespace stanok::channels

@@ -50,11 +50,13 @@ class PathFeed {
   // An item that no command asks for, behind the path so far.
   void give(const Item& item);
   // The transform is another one: the path goes on in it from the position.
-  void give_transform();
+  void give_transform(const motion::BlockTag& tag = {});
   void end_chain();
   // Nothing runs any more, or not yet: the position is that of the axes, in what is in force then.
-  void settle(const lang::Standing& standing);
-  [[nodiscard]] Rest rest() const { return {&blocks_.transform()}; }
+  void settle(const lang::MeaningTerms& standing);
+  [[nodiscard]] Rest rest() const { return {&blocks_.transform(), situation_}; }
+  // The number of the situation in which the commands that follow were read.
+  void set_situation(std::uint32_t number) { situation_ = number; }
 
   // A path in machine axes, of a switch of kinematics: from where they stand, each block to where
   // one axis goes. False: it cannot get there.
@@ -109,6 +111,7 @@ class PathFeed {
   std::shared_ptr<const lang::Program> program_;
   std::uint32_t run_ = 0;
   std::uint64_t blocks_executed_ = 0;
+  std::uint32_t situation_ = 0;
   bool chain_open_ = false;
   bool has_given_ = false;  // since the command began
   std::size_t riders_in_chain_ = 0;

@@ -10,7 +10,7 @@ Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& chan
                          const SchemeSet& schemes, const lang::Files& files,
                          const PreparationBooks& books, std::function<bool()> gives_up)
     : link_(books.link),
-      block_book_(books.blocks),
+      situations_(books.situations),
       parts_(machine, channel, schemes, files, books),
       shelf_(channel, parts_.description, files, books.shared, books.reports,
              [this, gives_up = std::move(gives_up)] {
@@ -82,6 +82,7 @@ void Preparation::obey(const BlockSearch& search) {
 void Preparation::obey(const ProgramStart& notice) {
   shelf_.use(notice.start.load);
   begin_run(notice.start, shelf_.program(), shelf_.name());
+  if (stands_elsewhere(notice.start.stand)) return;
   parts_.restart(notice.start.stand);
   parts_.feed.give_transform();
   parts_.feed.blocks().forget_laws();
@@ -95,15 +96,18 @@ void Preparation::obey(const ProgramStart& notice) {
 void Preparation::obey(const LineStart& notice) {
   shelf_.use(notice.start.load);
   begin_run(notice.start, shelf_.line(), "MDI");
+  if (stands_elsewhere(notice.start.stand)) return;
   parts_.restart(notice.start.stand);
-  parts_.feed.settle(parts_.interpreter.standing());
+  settle_feed();
   parts_.feed.give_transform();
   parts_.interpreter.start_line(parts_.program, parts_.feed.blocks().position_B());
 }
 
 void Preparation::begin_run(const RunStart& start, std::shared_ptr<const lang::Program> program,
                             const std::string& name) {
-  block_book_.begin_run(start.run);
+  situations_.begin_run(start.run);
+  static_cast<void>(parts_.interpreter.take_meanings());  // of a search
+  numbered_.clear();
   search_.forget_entry();
   parts_.feed.begin_run(start.run);
   parts_.queue.begin_run();
@@ -114,6 +118,18 @@ void Preparation::begin_run(const RunStart& start, std::shared_ptr<const lang::P
   scheme_switched_ = false;
   axes_change_ = false;
   task_ = Task::running;
+}
+
+// A run begins where its channel stands: what the cycle shows and what the preparation believes
+// have one number. True: they differ, by a fault of our own, and the run is refused.
+bool Preparation::stands_elsewhere(const Stand& stand) {
+  if (stand.situation == situation_) return false;
+  Diagnostic fault;
+  fault.code = "A9001";
+  fault.message = "the situation shown is " + std::to_string(stand.situation) +
+                  ", the one of the next block " + std::to_string(situation_);
+  fail(fault, parts_.feed.tag_at(0));
+  return true;
 }
 
 // Before anything of the run can bear a tag.
@@ -157,12 +173,12 @@ void Preparation::obey(const PathReset& reset) {
   search_.forget_entry();
   search_.forget();
   parts_.interpreter.reset({reset.stand.tool.number, reset.stand.tool.edge});
-  tell_codes();
   parts_.feed.blocks().reset_process();
   forget_path();
   if (question_) parts_.interpreter.take_changed_rows(question_->rows);
   question_.reset();
-  parts_.settle(reset.stand);
+  parts_.stand(reset.stand);
+  settle_feed();
   ++resets_obeyed_;
   parts_.feed.give({.content = ResetDone{parts_.feed.rest()}});
 }
@@ -174,7 +190,8 @@ void Preparation::obey(const Settle& question) {
 
 void Preparation::settle(const Settle& question) {
   parts_.interpreter.take_changed_rows(question.rows);
-  parts_.settle(question.stand);
+  parts_.stand(question.stand);
+  settle_feed();
   parts_.feed.give({.content = Settled{parts_.feed.rest()}});
 }
 
@@ -183,9 +200,26 @@ void Preparation::forget_path() {
   parts_.feed.forget_path();
 }
 
-void Preparation::tell_codes() {
-  for (const lang::CodeChange& change : parts_.interpreter.take_code_changes())
-    block_book_.tell_codes(change);
+// Numbers what the interpreter has changed.
+void Preparation::take_meanings() {
+  for (const lang::MeaningChange& change : parts_.interpreter.take_meanings())
+    numbered_.push_back({change.block, situations_.enter(change.meaning)});
+}
+
+// Commands of a block may come when later ones were read: behind radius compensation.
+void Preparation::select_situation(std::uint64_t block) {
+  while (numbered_.size() > 1 && numbered_[1].block <= block) numbered_.pop_front();
+  if (!numbered_.empty()) parts_.feed.set_situation(numbered_.front().situation);
+}
+
+// Nothing runs any more, or not yet: path and display stand in what the next line will be read in.
+void Preparation::settle_feed() {
+  const lang::Meaning standing = parts_.interpreter.standing();
+  static_cast<void>(parts_.interpreter.take_meanings());
+  numbered_.clear();
+  parts_.feed.settle(*standing.terms);
+  situation_ = situations_.enter(standing);
+  parts_.feed.set_situation(situation_);
 }
 
 Progress Preparation::interpret() {
@@ -195,7 +229,7 @@ Progress Preparation::interpret() {
   for (int n = 0; n < commands_per_step && task_ == Task::running && !queue.holds_items(); ++n) {
     switch (next_command()) {
       case lang::Step::command:
-        tell_codes();
+        take_meanings();
         if (take(parts_.command)) progress = Progress::worked;
         break;
       case lang::Step::working:
@@ -205,7 +239,7 @@ Progress Preparation::interpret() {
         return Progress::worked;
       case lang::Step::stopped:
       case lang::Step::ended:
-        tell_codes();
+        take_meanings();
         task_ = Task::idle;
         return Progress::worked;
       case lang::Step::failed: {
@@ -248,8 +282,8 @@ lang::Step Preparation::next_command() {
 
 // True when the cycle gets something of it.
 bool Preparation::take(const lang::Command& command) {
-  if (std::holds_alternative<lang::ProgramEnd>(command.payload))
-    parts_.feed.settle(parts_.interpreter.standing());
+  select_situation(command.block);
+  if (std::holds_alternative<lang::ProgramEnd>(command.payload)) settle_feed();
   const auto taken = parts_.feed.take(command);
   if (!taken) {
     fail(taken.error(), parts_.feed.tag_of(command));
@@ -264,8 +298,7 @@ bool Preparation::take(const lang::Command& command) {
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
   parts_.reports.explain(parts_.config.id, parts_.feed.run(), diagnostic);
   parts_.interpreter.break_off();
-  tell_codes();
-  parts_.feed.settle(parts_.interpreter.standing());
+  settle_feed();
   parts_.feed.give({.tag = tag,
                     .content = RunFailed{.blocks = parts_.feed.blocks_executed(),
                                          .code = std::string_view(diagnostic.code),

@@ -6,6 +6,7 @@
 // program, and nothing of a run that a reset has ended.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,7 +17,7 @@
 #include "channels/preparation/preparation_parts.h"
 #include "channels/preparation/program_shelf.h"
 #include "channels/preparation/search_runner.h"
-#include "channels/stores/block_book.h"
+#include "channels/stores/situation_book.h"
 
 namespace stanok::channels {
 
@@ -51,6 +52,7 @@ class Preparation {
   void obey(const SchemeSwitch& change);
   void begin_run(const RunStart& start, std::shared_ptr<const lang::Program> program,
                  const std::string& name);
+  [[nodiscard]] bool stands_elsewhere(const Stand& stand);
   void settle(const Settle& question);
   void name_files();
 
@@ -59,16 +61,25 @@ class Preparation {
   [[nodiscard]] Progress use_result(SearchRunner::Result result);
   [[nodiscard]] lang::Step next_command();
   [[nodiscard]] bool take(const lang::Command& command);
-  void tell_codes();
+  void take_meanings();
+  void select_situation(std::uint64_t block);
+  void settle_feed();
   void fail(const Diagnostic& diagnostic, const motion::BlockTag& tag);
 
   ChannelLink& link_;
-  BlockBook& block_book_;
+  SituationBook& situations_;
   std::uint32_t resets_obeyed_ = 0;
   PreparationParts parts_;
   ProgramShelf shelf_;
   SearchRunner search_;
   Task task_ = Task::idle;
+  // Meanings that blocks to come were read in, by block; the first one holds now.
+  struct Numbered {
+    std::uint64_t block = 0;
+    std::uint32_t situation = 0;
+  };
+  std::deque<Numbered> numbered_;
+  std::uint32_t situation_ = 0;     // in which the channel stands
   std::optional<Settle> question_;  // that waits until a search is over
   bool scheme_switched_ = false;    // since the last answer or start
   bool axes_change_ = false;        // the answer to come tells where a spindle stands as an axis

@@ -30,7 +30,7 @@ PreparationParts::PreparationParts(const MachineConfig& machine, const ChannelCo
       description(channel_description(machine, channel)),
       tables(books.tables, machine, channel),
       interpreter(description, tables, files),
-      queue(motion, books.link, books.shared, books.blocks),
+      queue(motion, books.link, books.shared, books.situations),
       feed(machine, channel, motion, queue) {}
 
 void PreparationParts::restart(const Stand& stand) {
@@ -40,12 +40,11 @@ void PreparationParts::restart(const Stand& stand) {
   interpreter.take_tool({stand.tool.number, stand.tool.edge});
 }
 
-void PreparationParts::settle(const Stand& stand) {
+void PreparationParts::stand(const Stand& stand) {
   scheme = schemes.contains(stand.scheme) ? schemes.at(stand.scheme).get() : nullptr;
   feed.blocks().change_scheme(scheme, stand.axes_M);
   if (scheme != nullptr) tables.set_scheme(*scheme);
   interpreter.take_tool({stand.tool.number, stand.tool.edge});
-  feed.settle(interpreter.standing());
 }
 
 void PreparationParts::set_program(std::shared_ptr<const lang::Program> next) {

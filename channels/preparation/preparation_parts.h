@@ -30,7 +30,7 @@ struct PreparationBooks {
   SharedVariables& shared;
   ChannelLink& link;
   ReportBook& reports;
-  BlockBook& blocks;  // of the channel alone
+  SituationBook& situations;  // of the channel alone
 };
 
 struct PreparationParts {
@@ -40,8 +40,8 @@ struct PreparationParts {
 
   // Nothing is set up but the scheme of the channel, whose axes and tool stand so.
   void restart(const Stand& stand);
-  // The channel stands there, in what is in force while nothing runs; transforms stay.
-  void settle(const Stand& stand);
+  // Scheme, axes and tool are these; what else is set up, and transforms, stay.
+  void stand(const Stand& stand);
   // The program that the commands to come belong to.
   void set_program(std::shared_ptr<const lang::Program> next);
 

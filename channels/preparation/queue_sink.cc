@@ -9,12 +9,12 @@
 namespace stanok::channels {
 
 QueueSink::QueueSink(const motion::MotionConfig& motion, ChannelLink& link, SharedVariables& shared,
-                     BlockBook& blocks)
-    : motion_(motion), link_(link), shared_(shared), block_book_(blocks), look_ahead_(motion) {}
+                     SituationBook& blocks)
+    : motion_(motion), link_(link), shared_(shared), situations_(blocks), look_ahead_(motion) {}
 
 void QueueSink::take_motion(const lang::Command& /*command*/,
                             std::span<const motion::PathBlock> blocks) {
-  for (const motion::PathBlock& block : blocks) block_book_.tell_end(block.tag, block.end);
+  for (const motion::PathBlock& block : blocks) situations_.tell_end(block.tag, block.end);
 }
 
 // Segments without a law pass as long as none with a law waits before them.

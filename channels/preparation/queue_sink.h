@@ -9,8 +9,8 @@
 
 #include "channels/messages/channel_link.h"
 #include "channels/preparation/feed_sink.h"
-#include "channels/stores/block_book.h"
 #include "channels/stores/shared_variables.h"
+#include "channels/stores/situation_book.h"
 #include "motion/look_ahead/look_ahead.h"
 #include "motion/segments/feed_law_stage.h"
 
@@ -20,7 +20,7 @@ class QueueSink final : public FeedSink {
  public:
   // All arguments outlive the sink.
   QueueSink(const motion::MotionConfig& motion, ChannelLink& link, SharedVariables& shared,
-            BlockBook& blocks);
+            SituationBook& blocks);
 
   // A warning that is given once a run is due again.
   void begin_run() { feed_is_warned_of_ = false; }
@@ -48,7 +48,7 @@ class QueueSink final : public FeedSink {
   const motion::MotionConfig& motion_;
   ChannelLink& link_;
   SharedVariables& shared_;
-  BlockBook& block_book_;
+  SituationBook& situations_;
   motion::FeedLawStage laws_;
   motion::LookAhead look_ahead_;
   bool feed_is_warned_of_ = false;  // once a run

@@ -72,8 +72,9 @@ class RunningMachine {
   // Where the next run of a channel begins; nothing: at the first block.
   [[nodiscard]] virtual std::optional<channels::SearchReport> search(int channel) = 0;
 
-  // The current block of a channel, as its output tells it.
-  [[nodiscard]] virtual channels::BlockReport block(const channels::ChannelOutput& output) = 0;
+  // What gives the words of a channel their meaning, as its output tells it.
+  [[nodiscard]] virtual channels::SituationReport situation(
+      const channels::ChannelOutput& output) = 0;
 
   // What is known beforehand of programs (foresight.h): one was loaded; it begins, with the runs
   // that were there when it was asked for; what is to be expected of a channel.

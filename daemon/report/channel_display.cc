@@ -93,13 +93,57 @@ json coolant_of(const std::vector<std::string>& m_codes) {
   return coolant;
 }
 
+lang::ActiveCodes codes_in_effect(const lang::Meaning& meaning,
+                                  const channels::ChannelOutput& output) {
+  lang::ActiveCodes codes = meaning.codes;
+  const double target = output.process.spindles[0].target_rev_per_min;
+  const lang::CodeNumber turns = target > 0.0 ? lang::m(3) : lang::m(4);
+  if (target != 0.0) codes[lang::Group::spindle] = turns;
+  codes[lang::Group::mist] = output.coolant.mist ? lang::m(7) : lang::m(9);
+  codes[lang::Group::flood] = output.coolant.flood ? lang::m(8) : lang::m(9);
+  return codes;
+}
+
+namespace {
+
+json by_word(const channels::ChannelConfig& config, const lang::AxisValues& values) {
+  json words = json::object();
+  for (std::size_t k = 0; k < config.words.size(); ++k) words[config.words[k]] = values[k];
+  return words;
+}
+
+lang::AxisValues point_W(const channels::ChannelOutput& output) {
+  lang::AxisValues point{};
+  for (std::size_t k = 0; k < point.size(); ++k) point[k] = output.point_W[k].value;
+  return point;
+}
+
+}  // namespace
+
+json position_of(const channels::ChannelConfig& config, const channels::ChannelOutput& output,
+                 const lang::Meaning& meaning) {
+  return by_word(config, lang::words_at(meaning, point_W(output)));
+}
+
+json point_of(const channels::ChannelConfig& config, const channels::ChannelOutput& output) {
+  return by_word(config, point_W(output));
+}
+
+json diameters_of(const channels::ChannelConfig& config, const lang::Meaning& meaning) {
+  json diameters = json::array();
+  for (std::size_t k = 0; k < config.words.size(); ++k) {
+    if (meaning.is_diameter(k)) diameters.push_back(config.words[k]);
+  }
+  return diameters;
+}
+
 json distance_to_go(const channels::ChannelConfig& config, const channels::ChannelOutput& output,
-                    const channels::BlockReport& block) {
+                    const channels::SituationReport& situation) {
   if (!output.running) return nullptr;
-  json distances = json::object();
-  for (std::size_t k = 0; k < config.words.size(); ++k)
-    distances[config.words[k]] = block.end_W ? (*block.end_W)[k] - output.point_W[k].value : 0.0;
-  return distances;
+  lang::AxisValues way_W{};
+  for (std::size_t k = 0; k < way_W.size() && situation.end_W; ++k)
+    way_W[k] = (*situation.end_W)[k] - output.point_W[k].value;
+  return by_word(config, lang::words_of_way(situation.meaning, way_W));
 }
 
 }  // namespace stanok::daemon

@@ -8,7 +8,7 @@
 
 #include "channels/contract/machine_config.h"
 #include "channels/contract/output.h"
-#include "channels/stores/block_book.h"
+#include "channels/contract/reports.h"
 #include "drives/bus.h"
 
 namespace stanok::daemon {
@@ -31,10 +31,25 @@ namespace stanok::daemon {
 [[nodiscard]] nlohmann::json work_offset_of(const std::vector<std::string>& g_codes);
 [[nodiscard]] nlohmann::json coolant_of(const std::vector<std::string>& m_codes);
 
+// The active codes; of spindle and coolant those that were ordered last, whoever did.
+[[nodiscard]] lang::ActiveCodes codes_in_effect(const lang::Meaning& meaning,
+                                                const channels::ChannelOutput& output);
+
+// The words that lead to the programmed point; mm and deg, diameters where they are active.
+[[nodiscard]] nlohmann::json position_of(const channels::ChannelConfig& config,
+                                         const channels::ChannelOutput& output,
+                                         const lang::Meaning& meaning);
+// The programmed point itself, in the workpiece system: radii.
+[[nodiscard]] nlohmann::json point_of(const channels::ChannelConfig& config,
+                                      const channels::ChannelOutput& output);
+// The words that are diameters.
+[[nodiscard]] nlohmann::json diameters_of(const channels::ChannelConfig& config,
+                                          const lang::Meaning& meaning);
+
 // By the words of programs, from the programmed point to the end of the current block, a cycle
 // being one block; null while no program runs.
 [[nodiscard]] nlohmann::json distance_to_go(const channels::ChannelConfig& config,
                                             const channels::ChannelOutput& output,
-                                            const channels::BlockReport& block);
+                                            const channels::SituationReport& situation);
 
 }  // namespace stanok::daemon

@@ -171,6 +171,16 @@ std::string program_of(const ChannelOutput& output, const std::vector<channels::
   return run == runs.rend() || run->program.empty() ? loaded : run->program;
 }
 
+// Of the current line: the program, or what it calls or includes.
+std::string file_of(const ChannelOutput& output, const std::vector<channels::RunReport>& runs) {
+  if (!output.running || output.tag.line == 0) return {};
+  const auto run = std::find_if(runs.rbegin(), runs.rend(), [&](const auto& report) {
+    return report.channel == output.id && report.run == output.run;
+  });
+  const bool is_named = run != runs.rend() && output.tag.file < run->files.size();
+  return is_named ? run->files[output.tag.file] : std::string();
+}
+
 }  // namespace
 
 json alarm_json(const channels::AlarmReport& alarm) {
@@ -308,9 +318,6 @@ StatusReport::Books StatusReport::books() const {
 json StatusReport::channel(const channels::ChannelConfig& config, const ChannelOutput& output,
                            const Books& books) const {
   const ChannelNotes notes = notes_of(config.id);
-  json position = json::object();
-  for (std::size_t k = 0; k < config.words.size(); ++k)
-    position[config.words[k]] = output.point_W[k].value;
   const runtime::Outlook outlook = machine_.outlook(config.id);
   const auto path = machine_.planned_path(config.id);
   json alarm = nullptr;
@@ -319,7 +326,9 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
                                    [&](const auto& report) { return report.channel == config.id; });
     if (last != books.alarms.rend()) alarm = alarm_json(*last);
   }
-  const channels::BlockReport block = machine_.block(output);
+  const channels::SituationReport situation = machine_.situation(output);
+  const lang::Meaning& meaning = situation.meaning;
+  const lang::ActiveCodes codes = codes_in_effect(meaning, output);
   return {{"id", config.id},
           {"name", config.name},
           {"words", words_of(config)},
@@ -330,26 +339,31 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"single_block", notes.single_block},
           {"optional_stop", notes.optional_stop},
           {"block_skip", notes.levels_skipped},
-          {"work_offset", work_offset_of(lang::names_of(block.codes, 'G'))},
-          {"coolant", coolant_of(lang::names_of(block.codes, 'M'))},
+          {"work_offset", work_offset_of(lang::names_of(codes, 'G'))},
+          {"coolant", coolant_of(lang::names_of(codes, 'M'))},
           {"held_by", text_or_null(std::string(channels::text_of(output.hold_cause)))},
           {"controlled_by", text_or_null(notes.controlled_by)},
           {"alarm", std::move(alarm)},
           {"program", text_or_null(program_of(output, books.runs, notes.program))},
           {"run", output.run},
+          {"file", text_or_null(file_of(output, books.runs))},
           {"line", output.tag.line},
           {"block", output.tag.block},
           {"scheme", output.scheme},
-          {"position", std::move(position)},
-          {"to_go", distance_to_go(config, output, block)},
+          {"situation", situation.number},
+          {"units", meaning.inches() ? "inch" : "mm"},
+          {"diameter", diameters_of(config, meaning)},
+          {"position", position_of(config, output, meaning)},
+          {"point_W", point_of(config, output)},
+          {"to_go", distance_to_go(config, output, situation)},
           {"axes", axes_json(machine_.file().machine, config, output)},
           {"feed_mm_s", output.feed_commanded},
           {"speed_mm_s", output.path_speed},
           {"feed_mm_min", output.feed_commanded * seconds_per_minute},
           {"feed_mm_rev", output.process.feed_mm_per_rev},
           {"speed_mm_min", output.path_speed * seconds_per_minute},
-          {"g_codes", lang::names_of(block.codes, 'G')},
-          {"m_codes", lang::names_of(block.codes, 'M')},
+          {"g_codes", lang::names_of(codes, 'G')},
+          {"m_codes", lang::names_of(codes, 'M')},
           {"tool", tool_at_work(output.tool, books.tables)},
           {"tool_direction", tool_direction(output)},
           {"on_part", on_part(output, path.get())},

@@ -59,8 +59,9 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] std::optional<channels::SearchReport> search(int channel) override {
     return assembly_.machine().search(channel);
   }
-  [[nodiscard]] channels::BlockReport block(const channels::ChannelOutput& output) override {
-    return assembly_.machine().block(output);
+  [[nodiscard]] channels::SituationReport situation(
+      const channels::ChannelOutput& output) override {
+    return assembly_.machine().situation(output);
   }
   [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
     return assembly_.machine().load_diagnostics();

@@ -96,8 +96,6 @@ void restore_shifts(ActiveBlock& block, const ModalState& saved);  // G52, G92, 
 void restore_spindle_mode(ActiveBlock& block, const ModalState& saved);
 void restore_length(ActiveBlock& block, const ToolLength& saved);
 void restore_overhang(ActiveBlock& block, const ModalState& saved);
-// The frame as it is now, as a command.
-[[nodiscard]] FrameChange frame_of(const ModalState& modal);
 // Makes work offset `number` of the tables the active one, as far as it exists there.
 void take_work_offset(ModalState& modal, const Tables& tables, int number);
 // The same for axes that stand at `position_B`, or will: where a table carries the offset (G54.2).

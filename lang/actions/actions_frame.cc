@@ -26,11 +26,6 @@ CodeNumber code_of_offset(int number) {
 
 }  // namespace
 
-FrameChange frame_of(const ModalState& modal) {
-  const WorkFrame frame = modal.frame();
-  return {modal.frames.work_offset_number, frame.offset, frame.rotation};
-}
-
 void take_work_offset(ModalState& modal, const Tables& tables, int number) {
   take_work_offset(modal, tables, number, modal.frame().base_from_work(modal.position_W));
 }

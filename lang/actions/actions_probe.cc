@@ -126,6 +126,9 @@ void correct_wear(ActiveBlock& block, std::size_t geometry) {
   if (!edge) return;
   write_tool(block, tool.length.tool, wears[geometry], edge->wear_mm[geometry] + error,
              tool.length.edge);
+  ToolLength corrected = tool.length;
+  corrected.offset_mm[geometry] += error;
+  restore_length(block, corrected);
 }
 
 // G31 over no way, or over less than a probe can change in. It is no error on Fanuc and Haas

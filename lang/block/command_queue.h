@@ -20,6 +20,7 @@ class CommandQueue {
   }
 
   void emit(Payload payload) {
+    terms_changed_ = terms_changed_ || changes_terms(payload);
     if (last_ == commands_.size()) commands_.emplace_back();
     Command& command = commands_[last_++];
     command.origin = origin_;
@@ -28,6 +29,9 @@ class CommandQueue {
   }
 
   [[nodiscard]] bool empty() const { return first_ == last_; }
+
+  // A command since the last call changes the frame, the tool or its length.
+  [[nodiscard]] bool takes_changed_terms() { return std::exchange(terms_changed_, false); }
 
   // The oldest command; the queue must not be empty.
   void take(Command& command) {
@@ -41,11 +45,19 @@ class CommandQueue {
   }
 
  private:
+  [[nodiscard]] static bool changes_terms(const Payload& payload) {
+    return std::holds_alternative<FrameChange>(payload) ||
+           std::holds_alternative<ToolLength>(payload) ||
+           std::holds_alternative<TransformationChange>(payload) ||
+           std::holds_alternative<ToolChange>(payload);
+  }
+
   std::vector<Command> commands_;
   std::size_t first_ = 0;
   std::size_t last_ = 0;
   Origin origin_;
   std::uint64_t block_ = 0;
+  bool terms_changed_ = false;
 };
 
 }  // namespace stanok::lang

@@ -19,6 +19,8 @@ class CoordinateMap {
   [[nodiscard]] bool active() const { return active_; }
 
   [[nodiscard]] double gain(AxisIndex axis) const { return gain_[axis]; }
+  [[nodiscard]] const AxisValues& gains() const { return gain_; }
+  [[nodiscard]] const AxisValues& shifts() const { return shift_; }
   [[nodiscard]] double to_work(AxisIndex axis, double programmed) const {
     return gain_[axis] * programmed + shift_[axis];
   }

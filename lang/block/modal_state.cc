@@ -56,6 +56,34 @@ void ModalState::adopt_position(const AxisValues& position_B) {
   }
 }
 
+FrameChange frame_of(const ModalState& modal) {
+  const WorkFrame frame = modal.frame();
+  return {modal.frames.work_offset_number, frame.offset, frame.rotation};
+}
+
+MeaningTerms terms_of(const ModalState& modal) {
+  const FrameSettings& frames = modal.frames;
+  MeaningTerms terms;
+  terms.frame = frame_of(modal);
+  terms.work_offset_B = frames.work_offset;
+  terms.work_offset_rotation = frames.work_offset_rotation;
+  terms.local_shift = frames.local_shift;
+  if (frames.axis_shift_active) terms.axis_shift = frames.axis_shift;
+  terms.overhang_axis = modal.tool.overhang_axis;
+  terms.overhang_mm = modal.tool.overhang_shift_mm;
+  terms.has_set_up_error = frames.set_up.is_on;
+  terms.has_plane = frames.plane.is_on;
+  terms.is_rotated = !frames.rotation.rotation.is_identity();
+  terms.gain = modal.map.gains();
+  terms.shift = modal.map.shifts();
+  terms.tool = {modal.tool.active, modal.tool.edge};
+  terms.length = modal.tool.length;
+  terms.radius_offset = modal.tool.radius_offset;
+  terms.transformation = modal.transformation.change;
+  terms.geometry = modal.geometry;
+  return terms;
+}
+
 void ModalState::shift_position(const AxisValues& distance_B) {
   const AxisValues distance_W = turned_back(frame().rotation, geometry, distance_B);
   for (std::size_t i = 0; i < distance_W.size(); ++i) position_W[i] += distance_W[i];

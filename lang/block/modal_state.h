@@ -15,6 +15,7 @@
 #include "lang/contract/active_codes.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
+#include "lang/contract/meaning.h"
 
 namespace stanok::lang {
 
@@ -77,5 +78,9 @@ struct ModalState {
 
 // The state at the start of a program, after M2, M30 and reset. Position and offsets are zero.
 [[nodiscard]] ModalState default_modal_state(ChannelKind kind);
+
+// The frame as a command.
+[[nodiscard]] FrameChange frame_of(const ModalState& modal);
+[[nodiscard]] MeaningTerms terms_of(const ModalState& modal);
 
 }  // namespace stanok::lang

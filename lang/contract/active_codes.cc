@@ -1,7 +1,6 @@
 #include "lang/contract/active_codes.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace stanok::lang {
 
@@ -48,21 +47,6 @@ std::vector<std::string> names_of(const ActiveCodes& codes, char letter) {
                            std::find(names.begin(), names.end(), "M8") != names.end();
   if (coolant != names.end() && has_coolant) names.erase(coolant);
   return names;
-}
-
-void CodeChanges::note(std::uint64_t block, const ActiveCodes& codes) {
-  if (codes == newest_) return;
-  newest_ = codes;
-  if (!changes_.empty() && changes_.back().block == block) {
-    changes_.back().codes = codes;
-    return;
-  }
-  if (changes_.size() == kept_max) changes_.erase(changes_.begin());
-  changes_.push_back({block, codes});
-}
-
-std::vector<CodeChange> CodeChanges::take() {
-  return std::exchange(changes_, {});
 }
 
 }  // namespace stanok::lang

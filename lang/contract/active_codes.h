@@ -21,22 +21,4 @@ using ActiveCodes = GroupArray<CodeNumber>;
 // "G1", "G17", ... for the letter G; "M3", "M8" for M, where M9 stands for both kinds of coolant.
 [[nodiscard]] std::vector<std::string> names_of(const ActiveCodes& codes, char letter);
 
-struct CodeChange {
-  std::uint64_t block = 0;  // running number in the run; 0: its start
-  ActiveCodes codes{};
-};
-
-// The changes of a run until somebody takes them; who never does loses the oldest.
-class CodeChanges {
- public:
-  void note(std::uint64_t block, const ActiveCodes& codes);
-  [[nodiscard]] std::vector<CodeChange> take();
-
- private:
-  static constexpr std::size_t kept_max = 256;
-
-  ActiveCodes newest_{};
-  std::vector<CodeChange> changes_;
-};
-
 }  // namespace stanok::lang

@@ -16,8 +16,8 @@ std::array<std::size_t, 2> plane_places(const ActiveCodes& codes) {
 // On the cylinder the path has a length where the word is an angle.
 double path_unit(const MeaningTerms& terms, std::size_t axis) {
   const TransformationChange& change = terms.transformation;
-  const bool is_developed = change.kind == Transformation::cylinder &&
-                            change.rotary_axis == static_cast<int>(axis);
+  const bool is_developed =
+      change.kind == Transformation::cylinder && change.rotary_axis == static_cast<int>(axis);
   return is_developed ? change.radius_mm * std::numbers::pi / 180.0 : 1.0;
 }
 
@@ -63,7 +63,7 @@ AxisValues words_of_way(const Meaning& meaning, const AxisValues& way_W) {
   return words;
 }
 
-void MeaningChanges::note_codes(std::uint64_t block, const ActiveCodes& codes) {
+void MeaningChanges::note(std::uint64_t block, const ActiveCodes& codes) {
   if (codes == newest_.codes) return;
   newest_.codes = codes;
   enter(block);

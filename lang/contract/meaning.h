@@ -1,10 +1,10 @@
 // Meaning: everything that gives a word of a program its meaning, as it is from one block to the
 // next: the active codes, the chain of frames, the tool and its length, scaling and mirror.
 //
-// A value that never changes: what changes is which one is in effect. The channel numbers them; path
-// and items carry the number. For displays, touching off and logs; made by the interpreter, which
-// has the one that its next block will be read in. Lengths mm, angles deg, axes in the order of the
-// channel.
+// A value that never changes: what changes is which one is in effect. The channel numbers them;
+// path and items carry the number. For displays, touching off and logs; made by the interpreter,
+// which has the one that its next block will be read in. Lengths mm, angles deg, axes in the order
+// of the channel.
 #pragma once
 
 #include <array>
@@ -14,19 +14,19 @@
 #include <vector>
 
 #include "lang/contract/active_codes.h"
-#include "lang/contract/standing.h"
+#include "lang/contract/changed_rows.h"
 
 namespace stanok::lang {
 
 // Each term of p_B = work offset - overhang + its rotation * set-up error * (G52 + G92 + plane *
 // (its G52 + G68 * p_W)), and of W: w = gain * word + shift. A term that is off is 0.
 struct MeaningTerms {
-  FrameChange frame;            // all of it together: W in B
-  AxisValues work_offset_B{};   // of the table; under G54.2 where the rotary table has brought it
-  double work_offset_rotation_deg = 0.0;  // G10 L2 R
-  AxisValues local_shift{};     // G52
-  AxisValues axis_shift{};      // G92
-  int overhang_axis = -1;       // #tool_overhang
+  FrameChange frame;              // all of it together: W in B
+  AxisValues work_offset_B{};     // of the table; under G54.2 where the rotary table has brought it
+  Rotation work_offset_rotation;  // G10 L2 R
+  AxisValues local_shift{};       // G52
+  AxisValues axis_shift{};        // G92
+  int overhang_axis = -1;         // #tool_overhang
   double overhang_mm = 0.0;
   bool has_set_up_error = false;  // G54.4
   bool has_plane = false;         // G68.2 to G68.4
@@ -65,9 +65,10 @@ struct MeaningChange {
 // The changes of a run until somebody takes them; who never does loses the oldest.
 class MeaningChanges {
  public:
-  // Terms that are the ones of before are not copied.
-  void note_codes(std::uint64_t block, const ActiveCodes& codes);
+  // Where the terms are the ones of before they are not copied.
+  void note(std::uint64_t block, const ActiveCodes& codes);
   void note(std::uint64_t block, const ActiveCodes& codes, MeaningTerms terms);
+  [[nodiscard]] const MeaningTerms& newest_terms() const { return *newest_.terms; }
   [[nodiscard]] std::vector<MeaningChange> take() { return std::exchange(changes_, {}); }
 
  private:

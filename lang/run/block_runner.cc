@@ -42,6 +42,7 @@ BlockRunner::BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStor
 
 void BlockRunner::reset() {
   state_.queue.clear();
+  delivered_ = {};
   corners_.reset();
   compensation_.reset();
   state_.states.clear();
@@ -73,7 +74,6 @@ ModalState BlockRunner::default_state(const TextRules& rules, const ToolInPlace&
 void BlockRunner::stand_in_default() {
   standing_ =
       default_state(state_.channel.rules, {state_.modal.tool.active, state_.modal.tool.edge});
-  code_changes_.note(state_.blocks, standing_.codes);
 }
 
 void BlockRunner::take_tool(const ToolInPlace& tool) {
@@ -91,13 +91,24 @@ void BlockRunner::take_changed_rows(const ChangedRows& rows) {
     take_work_offset(standing_, state_.tables, frames.work_offset_number);
 }
 
-Standing BlockRunner::standing() const {
-  return {frame_of(standing_), standing_.tool.length, standing_.transformation.change};
+Meaning BlockRunner::standing() const {
+  return {standing_.codes, std::make_shared<const MeaningTerms>(terms_of(standing_))};
+}
+
+// Frames, tools and lengths are commands; scaling and mirror are known to the interpreter alone.
+void BlockRunner::note_meaning() {
+  const ModalState& modal = state_.modal;
+  const MeaningTerms& known = meanings_.newest_terms();
+  const bool terms_hold = !state_.queue.takes_changed_terms() && modal.map.gains() == known.gain &&
+                          modal.map.shifts() == known.shift &&
+                          modal.tool.radius_offset == known.radius_offset;
+  terms_hold ? meanings_.note(state_.blocks, modal.codes)
+             : meanings_.note(state_.blocks, modal.codes, terms_of(modal));
 }
 
 void BlockRunner::emit_first_commands() {
   state_.queue.set_origin({}, 0);
-  code_changes_.note(0, state_.modal.codes);
+  meanings_.note(0, state_.modal.codes, terms_of(state_.modal));
   state_.queue.emit(frame_of(state_.modal));
   state_.queue.emit(state_.modal.tool.length);
 }
@@ -123,7 +134,6 @@ BlockRunner::LineResult BlockRunner::take_line(Command& command) {
   if (!compensating() && !state_.calls_modal && execute_simple_move(block, *move)) {
     command.origin = {vm_.frame().file, line};
     command.block = state_.blocks;
-    code_changes_.note(state_.blocks, state_.modal.codes);
     return LineResult::command;
   }
   const Source& source = vm_.file().source;
@@ -232,7 +242,6 @@ BlockFlow BlockRunner::execute() {
   block.done = place_.done;
   const AxisValues start_W = state_.modal.position_W;
   execute_block(block);
-  code_changes_.note(state_.blocks, state_.modal.codes);
   if (block.faults.first) {
     fail(std::move(*block.faults.first));
     return {};
@@ -281,8 +290,15 @@ bool BlockRunner::compensate() {
   return !compensation_.ready().empty();
 }
 
+// A block may ask for something before its own new length comes to the channel.
 void BlockRunner::adopt_position(const AxisValues& position_B) {
-  state_.modal.adopt_position(position_B);
+  AxisValues tip_B = position_B;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const AxisIndex axis = state_.channel_words.geometry_axis(k);
+    const double on_its_way = delivered_.offset_mm[k] - state_.modal.tool.length.offset_mm[k];
+    if (axis.exists() && on_its_way != 0.0) tip_B[axis] += on_its_way;
+  }
+  state_.modal.adopt_position(tip_B);
   compensation_.adopt_position();
 }
 

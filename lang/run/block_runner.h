@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "lang/block/radius_compensation.h"
-#include "lang/contract/active_codes.h"
-#include "lang/contract/standing.h"
+#include "lang/contract/changed_rows.h"
+#include "lang/contract/meaning.h"
 #include "lang/corners/corner_stage.h"
 #include "lang/program/code.h"
 #include "lang/run/block_state.h"
@@ -50,7 +50,7 @@ class BlockRunner {
   void take_tool(const ToolInPlace& tool);
   // An operator has changed these rows: what stands of them is as they are now.
   void take_changed_rows(const ChangedRows& rows);
-  [[nodiscard]] Standing standing() const;
+  [[nodiscard]] Meaning standing() const;
 
   // Reads the next plain line.
   [[nodiscard]] LineResult take_line(Command& command);
@@ -73,7 +73,9 @@ class BlockRunner {
   // A move with `,C` or `,R` waits for the next one.
   [[nodiscard]] bool holds_corner() const { return corners_.holds(); }
 
-  // The axes stand at `position_B`, or at least the queue is empty.
+  // The channel has been given this length: the positions that it tells are those of its tip.
+  void note_delivered(const ToolLength& length) { delivered_ = length; }
+  // The channel tells that the axes stand at `position_B`, or at least the queue is empty.
   void adopt_position(const AxisValues& position_B);
   // The row of the active work offset was written by the program itself.
   void read_work_offset_again();
@@ -85,7 +87,9 @@ class BlockRunner {
   // Behind a faulty block; see Interpreter::pass_fault.
   [[nodiscard]] Passed pass_fault();
 
-  [[nodiscard]] std::vector<CodeChange> take_code_changes() { return code_changes_.take(); }
+  // What gives the words their meaning is noted where it has changed.
+  void note_meaning();
+  [[nodiscard]] std::vector<MeaningChange> take_meanings() { return meanings_.take(); }
 
  private:
   // Where a block stands; `words` nullptr: they are found in the text when they are needed.
@@ -105,13 +109,14 @@ class BlockRunner {
   [[nodiscard]] ModalState default_state(const TextRules& rules, const ToolInPlace& tool) const;
 
   BlockState& state_;
-  ModalState standing_;  // while nothing runs; its position says nothing
+  ModalState standing_;   // while nothing runs; its position says nothing
+  ToolLength delivered_;  // the one of the modal state may be on its way
   Vm& vm_;
   RunState& run_;
   ParameterStore& parameters_;
   CornerStage corners_;  // before radius compensation
   CompensationStage compensation_;
-  CodeChanges code_changes_;
+  MeaningChanges meanings_;
   TextValues text_values_;  // of the plain line
   BlockPlace place_;        // of the current block
   bool has_rest_ = false;   // of it, behind the answer to its first part

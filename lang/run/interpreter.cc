@@ -48,7 +48,7 @@ void Interpreter::break_off() {
   state_->run.break_off();
 }
 
-Standing Interpreter::standing() const {
+Meaning Interpreter::standing() const {
   return state_->run.standing();
 }
 
@@ -92,8 +92,8 @@ std::uint64_t Interpreter::blocks() const {
   return state_->run.blocks();
 }
 
-std::vector<CodeChange> Interpreter::take_code_changes() {
-  return state_->run.take_code_changes();
+std::vector<MeaningChange> Interpreter::take_meanings() {
+  return state_->run.take_meanings();
 }
 
 void Interpreter::set_block_skip(std::uint16_t levels) {

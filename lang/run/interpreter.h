@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "lang/contract/active_codes.h"
+#include "lang/contract/changed_rows.h"
 #include "lang/contract/command.h"
 #include "lang/contract/environment.h"
-#include "lang/contract/standing.h"
+#include "lang/contract/meaning.h"
 #include "lang/program/compile.h"
 #include "lang/run/block_search.h"
 
@@ -67,7 +67,7 @@ class Interpreter {
 
   // In what the channel stands while nothing runs. Of a run it holds when that has ended or failed;
   // a search leaves it as it is.
-  [[nodiscard]] Standing standing() const;
+  [[nodiscard]] Meaning standing() const;
   // The machine has this tool in place.
   void take_tool(const ToolInPlace& tool);
   // An operator has changed rows of the tables while the channel stands.
@@ -99,8 +99,8 @@ class Interpreter {
   // ISO blocks executed in this run.
   [[nodiscard]] std::uint64_t blocks() const;
 
-  // Changes of the active codes since the last call, for status displays.
-  [[nodiscard]] std::vector<CodeChange> take_code_changes();
+  // Changes of the meaning of words since the last call.
+  [[nodiscard]] std::vector<MeaningChange> take_meanings();
 
   // Bit n: blocks that begin with /n are skipped (1 also for / alone). To be called before start
   // and at sync points only.

@@ -97,6 +97,7 @@ Step ProgramRun::next(Command& command) {
   if (run_.running() && steps() - count_.renewed_at > count_.most) fail_endless();
   int work = 0;
   const Step step = advance(command, work);
+  blocks_.note_meaning();
   count_.instructions += static_cast<std::uint64_t>(work);
   return step;
 }
@@ -277,6 +278,8 @@ void ProgramRun::end_program(ProgramEndKind kind) {
 
 Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
   queue.take(command);
+  if (const auto* const length = std::get_if<ToolLength>(&command.payload))
+    blocks_.note_delivered(*length);
   if (const auto* const request = std::get_if<Request>(&command.payload)) {
     pending_.deliver(*request);
     if (request->kind == RequestKind::offset_table_write) written_offset_ = request->number;

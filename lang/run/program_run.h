@@ -19,7 +19,7 @@
 #include <optional>
 #include <vector>
 
-#include "lang/contract/active_codes.h"
+#include "lang/contract/meaning.h"
 #include "lang/program/program.h"
 #include "lang/run/block_directives.h"
 #include "lang/run/block_runner.h"
@@ -49,7 +49,7 @@ class ProgramRun {
   [[nodiscard]] std::optional<Diagnostic> start_at(std::shared_ptr<const Program> program,
                                                    const AxisValues& position_B,
                                                    const StopPlace& place);
-  [[nodiscard]] Standing standing() const { return blocks_.standing(); }
+  [[nodiscard]] Meaning standing() const { return blocks_.standing(); }
   void break_off();
   void stand_in_default() { blocks_.stand_in_default(); }
   void take_tool(const ToolInPlace& tool) { blocks_.take_tool(tool); }
@@ -62,7 +62,7 @@ class ProgramRun {
   [[nodiscard]] const Diagnostic& error() const { return run_.error(); }
   [[nodiscard]] Origin origin() const { return vm_.origin(); }
   [[nodiscard]] std::uint64_t blocks() const { return state_.blocks; }
-  [[nodiscard]] std::vector<CodeChange> take_code_changes() { return blocks_.take_code_changes(); }
+  [[nodiscard]] std::vector<MeaningChange> take_meanings() { return blocks_.take_meanings(); }
   [[nodiscard]] std::uint64_t steps() const {
     return count_.instructions + std::uint64_t{limits::steps_of_block} * state_.blocks;
   }

@@ -61,6 +61,7 @@ struct BlockTag {
   std::uint64_t block = 0;  // running number in the run
   std::uint32_t line = 0;
   std::uint16_t file = 0;
+  std::uint32_t situation = 0;  // number of what gave the words of the block their meaning
 };
 
 class FeedLaw;

@@ -97,8 +97,8 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] std::optional<channels::SearchReport> search(int) override {
     return copy(searched);
   }
-  [[nodiscard]] channels::BlockReport block(const channels::ChannelOutput&) override {
-    return copy(block_report);
+  [[nodiscard]] channels::SituationReport situation(const channels::ChannelOutput&) override {
+    return copy(situation_report);
   }
   [[nodiscard]] std::vector<channels::AlarmReport> load_diagnostics() override {
     return copy(diagnostics);
@@ -158,7 +158,7 @@ class FakeMachine final : public RunningMachine {
   std::vector<channels::RunReport> run_reports;
   std::vector<channels::AlarmReport> alarm_reports;
   std::optional<channels::SearchReport> searched;
-  channels::BlockReport block_report;
+  channels::SituationReport situation_report;
   std::optional<std::filesystem::path> log_file;
   std::vector<std::string> looked_at;  // programs
   runtime::Outlook expected;

@@ -9,5 +9,6 @@ G37 Z0.25
 ; expect: probe contact or alarm Z-1.75 F100
 ; expect: request probe result
 ; expect: request write tool channel 5 3 wear_length -0.25
+; expect: length H3 0 0 29.75
 M30
 ; expect: end and rewind

@@ -33,7 +33,7 @@ struct PreparationBench {
   SharedVariables shared;
   ChannelLink link;
   ReportBook reports;
-  BlockBook blocks{lang::default_codes(lang::ChannelKind::mill)};
+  SituationBook blocks;
   PreparationBooks books{tables, shared, link, reports, blocks};
 };
 

@@ -1,6 +1,7 @@
 // Tool, spindles and distance to go, as a status shows them.
 #include "daemon/report/channel_display.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -71,12 +72,47 @@ TEST(ChannelDisplay, GoToTheEndOfTheBlock) {
   config.words = {"X", "Y"};
   channels::ChannelOutput output;
   output.point_W[0].value = 2.0;
-  channels::BlockReport block;
-  EXPECT_TRUE(distance_to_go(config, output, block).is_null()) << "no program runs";
+  channels::SituationReport situation;
+  EXPECT_TRUE(distance_to_go(config, output, situation).is_null()) << "no program runs";
   output.running = true;
-  EXPECT_EQ(distance_to_go(config, output, block), (json{{"X", 0.0}, {"Y", 0.0}}));
-  block.end_W = motion::Point{10.0, -1.0};
-  EXPECT_EQ(distance_to_go(config, output, block), (json{{"X", 8.0}, {"Y", -1.0}}));
+  EXPECT_EQ(distance_to_go(config, output, situation), (json{{"X", 0.0}, {"Y", 0.0}}));
+  situation.end_W = motion::Point{10.0, -1.0};
+  EXPECT_EQ(distance_to_go(config, output, situation), (json{{"X", 8.0}, {"Y", -1.0}}));
+}
+
+// On a lathe in G7 the word X is a diameter, scaled by 2 and mirrored at X = 3 (radius) the part
+// system has w = -2 p + 12: for w = 5 p is 3.5, the word 7.
+TEST(ChannelDisplay, ShowsTheWordsThatLeadThere) {
+  channels::ChannelConfig config;
+  config.words = {"X", "Z"};
+  channels::ChannelOutput output;
+  output.point_W[0].value = 5.0;
+  output.point_W[1].value = -4.0;
+  lang::MeaningTerms terms;
+  terms.geometry = {AxisIndex(0), AxisIndex(), AxisIndex(1)};
+  terms.gain[0] = -2.0;
+  terms.shift[0] = 12.0;
+  lang::Meaning meaning;
+  meaning.terms = std::make_shared<const lang::MeaningTerms>(terms);
+  EXPECT_EQ(position_of(config, output, meaning), (json{{"X", 3.5}, {"Z", -4.0}}));
+  EXPECT_EQ(diameters_of(config, meaning), json::array());
+  meaning.codes[lang::Group::diameter] = lang::g(7);
+  EXPECT_EQ(position_of(config, output, meaning), (json{{"X", 7.0}, {"Z", -4.0}}));
+  EXPECT_EQ(point_of(config, output), (json{{"X", 5.0}, {"Z", -4.0}}));
+  EXPECT_EQ(diameters_of(config, meaning), json{"X"});
+}
+
+// A spindle that turns by hand, coolant that was switched on by hand: the program says nothing of
+// them.
+TEST(ChannelDisplay, ShowsSpindleAndCoolantAsTheyWereOrderedLast) {
+  lang::Meaning meaning;
+  meaning.codes = lang::default_codes(lang::ChannelKind::mill);
+  channels::ChannelOutput output;
+  output.process.spindles[0] = {.id = 1, .target_rev_per_min = -500.0};
+  output.coolant.flood = true;
+  const auto names = lang::names_of(codes_in_effect(meaning, output), 'M');
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"M4", "M8"}));
+  EXPECT_THAT(names, ::testing::Not(::testing::Contains("M5")));
 }
 
 }  // namespace

@@ -1,20 +1,7 @@
-// What is in force of a channel while nothing runs: the state in which the next line of an operator
-// begins.
-//
-// Owner: the interpreter. The path of the preparation and the cycle are brought to it at the end of
-// every run, behind a reset, and when an operator has changed a table; nobody makes it up from other
-// values.
+// The tool that is in place, and rows of the tables that an operator has changed.
 #pragma once
 
-#include "lang/contract/command.h"
-
 namespace stanok::lang {
-
-struct Standing {
-  FrameChange frame;
-  ToolLength length;
-  TransformationChange transformation;
-};
 
 // The tool in the spindle or at the working place of the turret; number 0: none.
 struct ToolInPlace {
@@ -22,7 +9,6 @@ struct ToolInPlace {
   int edge = 1;
 };
 
-// Rows of the tables that an operator has changed.
 struct ChangedRows {
   bool all = false;
   int tool = 0;  // 0: none
