@@ -85,6 +85,15 @@ inline constexpr Parameter on_or_off{.name = "on",
                                      .maximum = 1,
                                      .help = "1 on, 0 off"};
 
+// What gives words their meaning may change between a look and a command.
+inline constexpr Parameter seen_situation{
+    .name = "situation",
+    .type = ParameterType::integer,
+    .minimum = 1,
+    .maximum = 4294967295.0,
+    .help =
+        "situation of the channel in the status that was looked at; refused where it has "
+        "changed since"};
 inline constexpr std::array of_channel{channel};
 
 }  // namespace stanok::protocol::rows

@@ -56,7 +56,7 @@ constexpr Parameter wait_as_usual = [] {
   parameter.usual = "done";
   return parameter;
 }();
-constexpr std::array of_line{line, channel, wait_as_usual};
+constexpr std::array of_line{line, channel, wait_as_usual, seen_situation};
 constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment, jog_frame, channel};
 constexpr std::array of_home{homed_axis, channel};
 

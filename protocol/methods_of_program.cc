@@ -51,7 +51,7 @@ constexpr Parameter percent(double minimum, double maximum) {
 }
 
 constexpr std::array of_program{program, channel, wait};
-constexpr std::array of_start{channel, wait};
+constexpr std::array of_start{channel, wait, seen_situation};
 constexpr std::array of_switch{on_or_off, channel};
 constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_search{search_target, search_pass, search_calculation, channel};

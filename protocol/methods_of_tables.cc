@@ -47,6 +47,15 @@ constexpr Parameter tool_edge{.name = "edge",
 constexpr Parameter offset_name =
     required_text("offset", "work offset: G54 to G59, G59.1 to G59.3, \"G54.1 P1\"");
 
+constexpr Parameter offset_name_only{
+    .name = "offset",
+    .type = ParameterType::text,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .minimum = 1,
+    .maximum = 16,
+    .help = "work offset: G54 to G59, G59.1 to G59.3, \"G54.1 P1\""};
+
 constexpr Parameter offset_axis{.name = "axis",
                                 .type = ParameterType::text,
                                 .presence = Presence::required,
@@ -72,7 +81,69 @@ constexpr Parameter tables_name{.name = "file",
                                 .maximum = 4096,
                                 .help = "name of the text in messages; default: that of the file"};
 
+constexpr Parameter touched_axis{.name = "axis",
+                                 .type = ParameterType::text,
+                                 .presence = Presence::required,
+                                 .spelling = Spelling::positional,
+                                 .minimum = 1,
+                                 .maximum = 16,
+                                 .help = "axis, by its word or its name"};
+
+constexpr Parameter touched_value{.name = "value",
+                                  .type = ParameterType::number,
+                                  .presence = Presence::required,
+                                  .spelling = Spelling::positional,
+                                  .unit = "mm, deg",
+                                  .minimum = -velocity_limit,
+                                  .maximum = velocity_limit,
+                                  .help = "where the axis is to stand, in the work system"};
+
+constexpr auto touch_choices = std::to_array<std::string_view>({"radius", "diameter"});
+
+constexpr Parameter touched_as{
+    .name = "as",
+    .type = ParameterType::choice,
+    .choices = touch_choices,
+    .help = "what the value is; required where X is shown as a diameter"};
+
+constexpr Parameter touch_confirmed{.name = "confirmed",
+                                    .type = ParameterType::integer,
+                                    .minimum = 0,
+                                    .maximum = 1,
+                                    .help =
+                                        "1: also when the value changes by more than "
+                                        "entry_limits.touch_off_max"};
+
+constexpr Parameter touched_tool{.name = "number",
+                                 .type = ParameterType::integer,
+                                 .presence = Presence::required,
+                                 .spelling = Spelling::positional,
+                                 .minimum = 1,
+                                 .maximum = 32000,
+                                 .help = "number of the tool"};
+
+constexpr Parameter touched_edge{.name = "edge",
+                                 .type = ParameterType::integer,
+                                 .minimum = 1,
+                                 .maximum = 99,
+                                 .help = "edge of the tool; default 1"};
+
+constexpr Parameter undo_number{.name = "undo",
+                                .type = ParameterType::integer,
+                                .presence = Presence::required,
+                                .spelling = Spelling::positional,
+                                .minimum = 1,
+                                .maximum = 9007199254740991.0,
+                                .help = "number that the answer to the touch-off had"};
+
+constexpr std::string_view touch_result = R"({"old":"number","new":"number","undo":"integer"})";
+
 constexpr std::array of_tool{tool_number, tool_edge};
+constexpr std::array of_touched_offset{offset_name_only, touched_axis,    touched_value, touched_as,
+                                       seen_situation,   touch_confirmed, channel};
+constexpr std::array of_touched_tool{touched_tool,   touched_axis, touched_value,   touched_as,
+                                     seen_situation, touched_edge, touch_confirmed, channel};
+constexpr std::array of_undo{undo_number};
 constexpr std::array of_tool_value{tool_number, tool_value, table_value, tool_edge};
 constexpr std::array of_tables{tables_text, tables_name};
 constexpr std::array of_offset_value{offset_name, offset_axis, table_value};
@@ -89,6 +160,12 @@ constexpr auto tables_rows = std::to_array<Method>({
      .action = "tool_set",
      .parameters = of_tool_value,
      .help = "change a value of a tool; not while a program runs"},
+    {.name = "tool.touch",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .parameters = of_touched_tool,
+     .help = "set the length of a tool so that an axis stands at a value (touch off); at rest",
+     .result = touch_result},
     {.name = "tool.load",
      .role = machine_operator,
      .effect = Effect::changes,
@@ -113,6 +190,19 @@ constexpr auto tables_rows = std::to_array<Method>({
      .action = "offset_set",
      .parameters = of_offset_value,
      .help = "change a work offset; not while a program runs"},
+    {.name = "offset.touch",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .parameters = of_touched_offset,
+     .help = "set a work offset so that an axis stands at a value (touch off); at rest",
+     .result = touch_result},
+    {.name = "offset.undo",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .parameters = of_undo,
+     .help = "take a touch-off back, of an offset or a tool, where nobody has changed the value "
+             "since",
+     .result = R"({"old":"number","new":"number"})"},
 });
 
 }  // namespace

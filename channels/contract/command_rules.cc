@@ -32,6 +32,7 @@ constexpr Codes resume{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothi
 constexpr Codes select{off,           yes,           yes,   by_hand, switches,
                        scheme_in_use, scheme_in_use, alarm, alarm,   stops};
 constexpr Codes jog{off, yes, yes, yes, switches, runs, runs, yes, off, stops};
+constexpr Codes touch{yes, yes, yes, by_hand, switches, runs, runs, yes, yes, stops};
 constexpr Codes tables{yes, yes, yes, yes, yes, runs, runs, yes, yes, stops};
 
 const Codes& codes_of(AdmissionRule rule) RT_SAFE {
@@ -54,6 +55,8 @@ const Codes& codes_of(AdmissionRule rule) RT_SAFE {
       return jog;
     case AdmissionRule::tables:
       return tables;
+    case AdmissionRule::touch:
+      return touch;
     case AdmissionRule::always:
       return always;
   }

@@ -121,6 +121,11 @@ struct TablesConfig {
   std::map<int, std::map<int, double>> variables;
 };
 
+// How far values that people enter may change without being confirmed.
+struct EntryLimits {
+  double touch_off_max_mm = 100.0;  // mm or deg; of an offset or a length by touching off
+};
+
 struct MachineConfig {
   std::string name;
   std::string file;  // machine file, for messages
@@ -134,6 +139,7 @@ struct MachineConfig {
   bool unnamed_tools = true;
   bool tables_write_protected = false;  // against programs
   lang::ProgramBounds program_bounds;
+  EntryLimits entry_limits;
   std::string program_encoding;  // of files that are not UTF-8; empty: unknown
 };
 

@@ -42,6 +42,8 @@ constexpr auto rows = std::to_array<ActionRow>({
     {Action::process_adaptive, "process_adaptive", Effect::none, Rule::always, Reach::channel},
     {Action::program_search, "program_search", Effect::none, Rule::search, Reach::channel},
     {Action::channel_control, "channel_control", Effect::none, Rule::always, Reach::channel},
+    {Action::offset_touch, "offset_touch", Effect::none, Rule::touch, Reach::channel},
+    {Action::tool_touch, "tool_touch", Effect::none, Rule::touch, Reach::channel},
 });
 
 consteval bool is_complete() {

@@ -25,6 +25,7 @@ enum class AdmissionRule : std::uint8_t {
   select,
   jog,
   tables,
+  touch,
 };
 
 // What an action does to motion.

@@ -155,6 +155,17 @@ void convert(auto& form, commands::ProgramSearch& command) {
 void convert(auto& form, commands::ChannelControl& command) {
   form.number(command.session);
 }
+void convert(auto& form, commands::OffsetTouch& command) {
+  form.text(command.place);
+  form.value(command.point_W);
+  form.number(command.active);
+}
+void convert(auto& form, commands::ToolTouch& command) {
+  form.text(command.key);
+  form.value(command.point_W);
+  form.number(command.tool);
+  form.value_2(command.edge);
+}
 
 using Made = std::optional<OperatorCommand>;
 

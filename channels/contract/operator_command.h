@@ -47,6 +47,8 @@ enum class OperatorAction : std::uint8_t {
   process_adaptive,
   program_search,
   channel_control,
+  offset_touch,
+  tool_touch,
 };
 
 enum class Switch : std::uint8_t { off, on };
@@ -158,6 +160,20 @@ struct ProgramSearch {
   SearchWay way = SearchWay::calculated;
   std::int32_t passes = 0;  // the block is met for this many times; 0: once
 };
+// The work offset gets the value with which an axis stands at `point_W`, as far as G54 to G59.3
+// alone change between the one that is active and this one.
+struct OffsetTouch {
+  ShortText place{};        // as OffsetSet::place, without the rotation
+  double point_W = 0.0;     // mm (a radius) or deg
+  std::int32_t active = 1;  // work offset that is active: 1 = G54
+};
+// The length of the tool gets the value with which an axis stands at `point_W`.
+struct ToolTouch {
+  ShortText key{};  // length, length_x or length_y
+  double point_W = 0.0;
+  std::int32_t tool = 0;
+  std::int32_t edge = 1;
+};
 // The session that has the channel to itself.
 struct ChannelControl {
   std::int32_t session = 0;  // 0: nobody
@@ -174,7 +190,7 @@ using OperatorCommand = std::variant<
     commands::OptionalStop, commands::BlockSkip, commands::BlockSkipOff, commands::SingleBlock,
     commands::Mdi, commands::ProcessInterrupt, commands::ProcessAutomatic, commands::Jog,
     commands::Home, commands::ToolSet, commands::OffsetSet, commands::ProcessAdaptive,
-    commands::ProgramSearch, commands::ChannelControl>;
+    commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch>;
 static_assert(std::is_trivially_copyable_v<OperatorCommand>);
 
 [[nodiscard]] inline OperatorAction action_of(const OperatorCommand& command) RT_SAFE {

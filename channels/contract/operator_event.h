@@ -15,7 +15,8 @@ struct OperatorEvent {
   // Stops that had been taken when this was asked for (daemon/cycle/event_queue.h).
   std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();
   OperatorCommand command = commands::ProgramHold{};
-  std::int32_t channel = 0;  // 0: the machine
+  std::int32_t channel = 0;     // 0: the machine
+  std::uint32_t situation = 0;  // of the channel, in which alone it holds; 0: in any
 
   [[nodiscard]] OperatorAction action() const RT_SAFE { return action_of(command); }
 };

@@ -123,6 +123,14 @@ Coordinator::Coordinator(std::span<Channel* const> channels, const OwnerFailures
       waits_(channels_, std::span(errands_).first(channels_max), cycle_s),
       channel_errands_(channels_, ownership_, control_, on_owner_failure, cycle_s) {}
 
+bool Coordinator::admits(const OperatorEvent& event) RT_SAFE {
+  const int index = channels_.index_of(event.channel);
+  if (event.situation == 0 || index < 0) return true;
+  if (channels_[index].items().current_tag().situation == event.situation) return true;
+  reply(event.id, refusal("E6090", "codes, tool or tables have changed since: look again"));
+  return false;
+}
+
 void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   const int index = channels_.index_of(event.channel);
   if (index < 0 && event.channel != 0)

@@ -41,6 +41,8 @@ class Coordinator {
   Coordinator(const Coordinator&) = delete;
   Coordinator& operator=(const Coordinator&) = delete;
 
+  // False, and its asker has been told: what the command was meant for is no more.
+  [[nodiscard]] bool admits(const OperatorEvent& event) RT_SAFE;
   void take(const OperatorEvent& event) RT_SAFE;
   // After all channels have done their cycle.
   void step() RT_SAFE;

@@ -199,6 +199,13 @@ struct OperatorDesk::Application {
   Result operator()(const commands::ToolSet& command) const RT_SAFE {
     return desk.set_tool(command);
   }
+  Result touch(const auto& command) const RT_SAFE {
+    if (named == nullptr) return refusal("E6001", "a channel must be named");
+    if (!named->is_quiet()) return refusal("E6090", "the channel is not at rest: look again");
+    return desk.touch(*named, command);
+  }
+  Result operator()(const commands::OffsetTouch& command) const RT_SAFE { return touch(command); }
+  Result operator()(const commands::ToolTouch& command) const RT_SAFE { return touch(command); }
   Result operator()(const commands::OffsetSet& command) const RT_SAFE {
     return desk.set_offset(command);
   }
@@ -233,21 +240,68 @@ Verdict OperatorDesk::set_tool(const commands::ToolSet& command) RT_SAFE {
   return success();
 }
 
-Verdict OperatorDesk::set_offset(const commands::OffsetSet& command) RT_SAFE {
-  const std::string_view text = command.place.view();
+namespace {
+
+// "G54.1 P2 X": the work offset, and the column of the axis in the table.
+struct OffsetPlace {
+  int number = 0;
+  int column = -1;
+  std::string_view axis;
+
+  [[nodiscard]] bool exists() const RT_SAFE { return number != 0 && column >= 0; }
+};
+
+OffsetPlace offset_place(const LiveTables& tables, std::string_view text) RT_SAFE {
   const std::size_t blank = text.rfind(' ');
-  if (blank == std::string_view::npos) return refusal("E5021", "the name of an axis is missing");
+  if (blank == std::string_view::npos) return {};
   std::string_view offset = text;
   offset.remove_suffix(text.size() - blank);
-  std::string_view axis_name = text;
-  axis_name.remove_prefix(blank + 1);
-  const int number = work_offset_number(offset);
-  const int axis = stores_.tables->column(axis_name);
-  if (number == 0 || axis < 0) return refusal("E5021", "there is no such work offset or axis");
-  if (!stores_.tables->set_offset(number, axis, command.value, Writer::person))
+  std::string_view axis = text;
+  axis.remove_prefix(blank + 1);
+  return {work_offset_number(offset), tables.column(axis), axis};
+}
+
+}  // namespace
+
+Verdict OperatorDesk::set_offset(const commands::OffsetSet& command) RT_SAFE {
+  const OffsetPlace place = offset_place(*stores_.tables, command.place.view());
+  if (!place.exists()) return refusal("E5021", "there is no such work offset or axis");
+  if (!stores_.tables->set_offset(place.number, place.column, command.value, Writer::person))
     return refusal("E5020", "the offset could not be written");
-  settle({.work_offset = number});
+  settle({.work_offset = place.number});
   return success();
+}
+
+// p_B = offset + p_W along an axis whose frame is not rotated: the asker has seen to it, in this
+// situation.
+Verdict OperatorDesk::touch(const Channel& channel, const commands::OffsetTouch& command) RT_SAFE {
+  const OffsetPlace place = offset_place(*stores_.tables, command.place.view());
+  const int axis = place.exists() ? channel.axes.named(place.axis) : -1;
+  const auto active = stores_.tables->offset(command.active, place.column);
+  if (axis < 0 || !active) return refusal("E5021", "there is no such work offset or axis");
+  const double stands_at = channel.motion.path().point[axis].value;
+  return set_offset({.place = command.place, .value = *active + stands_at - command.point_W});
+}
+
+// In a straight frame the point of the tool stands at p_W = what it is without a length - length.
+Verdict OperatorDesk::touch(const Channel& channel, const commands::ToolTouch& command) RT_SAFE {
+  constexpr std::array<std::string_view, 3> lengths{"length_x", "length_y", "length"};
+  constexpr std::array<std::string_view, 3> wears{"wear_length_x", "", "wear_length"};
+  const auto found = std::find(lengths.begin(), lengths.end(), command.key.view());
+  if (found == lengths.end()) return refusal("E5021", "there is no such length of a tool");
+  const auto place = static_cast<std::size_t>(found - lengths.begin());
+  const kinematics::Transform& frame = channel.motion.frame();
+  const int axis = frame.frame.geometry.at(place);
+  if (axis < 0) return refusal("E5021", "the channel has no axis for this length");
+  const double in_force = -frame.tool.nose_to_tip_mm[static_cast<Eigen::Index>(place)];
+  const double stands_at = channel.motion.path().point[axis].value;
+  const int wear = tool_value_named(wears.at(place));
+  const double worn =
+      wear == 0 ? 0.0 : stores_.tables->tool_value(command.tool, command.edge, wear).value_or(0.0);
+  return set_tool({.key = command.key,
+                   .value = in_force + stands_at - command.point_W - worn,
+                   .tool = command.tool,
+                   .edge = command.edge});
 }
 
 // What is active of a changed row counts at once where the channel is at rest.

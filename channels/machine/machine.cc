@@ -193,6 +193,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     k < inputs.arrivals.size() ? channel.see_arrivals(inputs.arrivals[k]) : channel.see_arrivals();
   }
   for (const OperatorEvent& event : inputs.events) {
+    if (!parts.coordinator->admits(event)) continue;  // no input: it has no effect
     parts.inputs.note({.cycle = parts.cycle, .channel = event.channel, .content = event.command});
     parts.coordinator->take(event);
   }

@@ -1,5 +1,6 @@
-// SituationBook: what gave the words of a channel their meaning, by its number, and where its blocks
-// end; kept by the preparation until the cycle has executed them. For displays; no effect on motion.
+// SituationBook: what gave the words of a channel their meaning, by its number, and where its
+// blocks end; kept by the preparation until the cycle has executed them. For displays; no effect on
+// motion.
 //
 // The preparation is ahead of the motion by as many blocks as the path queue holds; a display asks
 // for the situation whose number the cycle shows. Any thread. Invariant: a number stands for one
@@ -23,8 +24,8 @@ class SituationBook {
   std::uint32_t enter(const lang::Meaning& meaning);
   void tell_end(const motion::BlockTag& tag, const motion::Point& end_W);
 
-  // The meaning with the number of the tag, and where its block ends, when its run goes on. An older
-  // number than those that are kept: the oldest.
+  // The meaning with the number of the tag, and where its block ends, when its run goes on. An
+  // older number than those that are kept: the oldest.
   [[nodiscard]] SituationReport at(const motion::BlockTag& tag);
 
  private:

@@ -59,6 +59,7 @@ std::vector<KeySection> key_sections() {
       {"[[vibration_sensor]]", vibration_sensor_key_rows()},
       {"[lcm]", lcm_key_rows()},
       {"[recorder]", recorder_key_rows()},
+      {"[entry_limits]", entry_limits_key_rows()},
       {"[process]", process_key_rows()},
       {"[simulation]", describe(simulation_keys())},
       {"[simulation.cutting]", cutting_key_rows()},

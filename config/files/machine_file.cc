@@ -31,6 +31,7 @@ struct TopLevel {
   Subtables vibration_sensors = nullptr;
   Subtable lcm = nullptr;
   Subtable recorder = nullptr;
+  Subtable entry_limits = nullptr;
   Subtable process = nullptr;
   Subtable simulation = nullptr;
   Subtables contacts = nullptr;
@@ -49,6 +50,8 @@ const Keys<TopLevel>& top_level_keys() {
        "one [[vibration_sensor]] for each sensor that delivers samples"},
       {"lcm", at<&TopLevel::lcm>, optional, "", "publishing"},
       {"recorder", at<&TopLevel::recorder>, optional, "", "log files"},
+      {"entry_limits", at<&TopLevel::entry_limits>, optional, "",
+       "how far entered values may go without being confirmed"},
       {"process", at<&TopLevel::process>, optional, "", "force control"},
       {"simulation", at<&TopLevel::simulation>, optional, "", "plant of the simulated drives"},
       {"contact", at<&TopLevel::contacts>, optional, "",
@@ -238,6 +241,10 @@ class MachineReader {
 
   void read_services() {
     if (top_.lcm != nullptr) file_.lcm_url = read_lcm_url(*top_.lcm, Scope{faults_, "[lcm]"});
+    if (top_.entry_limits != nullptr) {
+      file_.machine.entry_limits =
+          read_entry_limits(*top_.entry_limits, Scope{faults_, "[entry_limits]"});
+    }
     if (top_.recorder != nullptr) {
       file_.recorder = read_recorder(*top_.recorder, Scope{faults_, "[recorder]"});
       if (!file_.recorder.directory.empty()) {

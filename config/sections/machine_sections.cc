@@ -62,6 +62,16 @@ const Keys<RecorderFile>& recorder_keys() {
   return keys;
 }
 
+const Keys<channels::EntryLimits>& entry_limits_keys() {
+  static const Keys<channels::EntryLimits> keys = {
+      {"touch_off_max", at<&channels::EntryLimits::touch_off_max_mm>, optional, "mm, deg",
+       "a work offset or tool length that changes by more than this by touching off must be "
+       "confirmed",
+       not_negative},
+  };
+  return keys;
+}
+
 }  // namespace
 
 const Keys<MachineSection>& machine_keys() {
@@ -149,6 +159,12 @@ RecorderConfig read_recorder(const toml::table& table, const Scope& scope) {
   return {.directory = file.directory, .size_mb = file.size_mb, .flight_s = file.flight_s};
 }
 
+channels::EntryLimits read_entry_limits(const toml::table& table, const Scope& scope) {
+  channels::EntryLimits limits;
+  read_table(table, entry_limits_keys(), limits, scope);
+  return limits;
+}
+
 std::vector<KeyRow> drives_key_rows() {
   return describe(bus_keys());
 }
@@ -157,6 +173,9 @@ std::vector<KeyRow> lcm_key_rows() {
 }
 std::vector<KeyRow> recorder_key_rows() {
   return describe(recorder_keys());
+}
+std::vector<KeyRow> entry_limits_key_rows() {
+  return describe(entry_limits_keys());
 }
 
 }  // namespace stanok::config

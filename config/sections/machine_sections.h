@@ -35,10 +35,12 @@ struct SimulationSection {
 [[nodiscard]] drives::BusConfig read_bus(const toml::table& table, const Scope& scope);
 [[nodiscard]] std::string read_lcm_url(const toml::table& table, const Scope& scope);
 [[nodiscard]] RecorderConfig read_recorder(const toml::table& table, const Scope& scope);
+[[nodiscard]] channels::EntryLimits read_entry_limits(const toml::table& table, const Scope& scope);
 
 // Rows of the documentation.
 [[nodiscard]] std::vector<KeyRow> drives_key_rows();
 [[nodiscard]] std::vector<KeyRow> lcm_key_rows();
 [[nodiscard]] std::vector<KeyRow> recorder_key_rows();
+[[nodiscard]] std::vector<KeyRow> entry_limits_key_rows();
 
 }  // namespace stanok::config

@@ -67,12 +67,13 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       description_(std::move(description)),
       on_shutdown_(std::move(on_shutdown)),
       desk_(machine, notes_),
+      touches_(machine, desk_),
       programs_(machine),
       queue_(machine, desk_, control_, notes_, description_.state_directory / "queue.txt"),
       surfaces_(machine),
       logs_(machine),
       report_(machine, notes_),
-      started_(std::chrono::steady_clock::now()) {
+      service_{.started = std::chrono::steady_clock::now()} {
   desk_.watch([this](const channels::OperatorEvent& accepted) { queue_.note(accepted); });
 }
 
@@ -181,6 +182,11 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
       {"tool.list", [](Dispatch& d, const json&) { return tool_list(d.machine_); }},
       {"tool.get", [](Dispatch& d, const Call& call) { return d.tool_get(call.parameters); }},
       {"tool.load", [](Dispatch& d, Call call) { d.load_tables(std::move(call)); }},
+      {"tool.touch",
+       [](Dispatch& d, Call call) { d.touch(std::move(call), &TouchDesk::touch_tool); }},
+      {"offset.touch",
+       [](Dispatch& d, Call call) { d.touch(std::move(call), &TouchDesk::touch_offset); }},
+      {"offset.undo", [](Dispatch& d, Call call) { d.undo_touch(std::move(call)); }},
       {"tool.save", [](Dispatch& d, const json&) { return tables_text(d.machine_); }},
       {"offset.list", [](Dispatch& d, const json&) { return offset_list(d.machine_); }},
       {"process.status",
@@ -339,6 +345,22 @@ void Dispatch::load_tables(Call call) {
   submit_one_by_one(desk_, std::move(*commands), noted(call.session, log_and_answer));
 }
 
+void Dispatch::touch(Call call, Touch way) {
+  const int channel = channel_or_first(call.parameters);
+  Answer answer = noted(call.session, logged(call, std::move(call.answer), call.parameters));
+  const auto obstacle =
+      control_.obstacle(channels::OperatorAction::offset_touch, channel, call.session.id);
+  if (obstacle) return answer(Unexpected<Failure>(*obstacle));
+  (touches_.*way)(call.parameters, channel, std::move(answer));
+}
+
+void Dispatch::undo_touch(Call call) {
+  Answer answer = noted(call.session, logged(call, std::move(call.answer), call.parameters));
+  if (const auto obstacle = control_.obstacle_to_all(call.session.id))
+    return answer(Unexpected<Failure>(*obstacle));
+  touches_.undo(call.parameters, std::move(answer));
+}
+
 // An answer that leaves an entry in the log, with `shown` for the parameters: texts are long.
 Answer Dispatch::logged(const Call& call, Answer answer, json shown) {
   protocol::Request request;
@@ -481,7 +503,7 @@ json Dispatch::snapshot(const Subscription& subscription) const {
 }
 
 json Dispatch::system_info() const {
-  const auto uptime = std::chrono::steady_clock::now() - started_;
+  const auto uptime = std::chrono::steady_clock::now() - service_.started;
   return {{"server", "stanokd"},
           {"version", protocol::version},
           {"api", protocol::api_version},
@@ -493,7 +515,7 @@ json Dispatch::system_info() const {
           {"state_directory", description_.state_directory.string()},
           {"socket", description_.socket.string()},
           {"program_root", machine_.program_root().string()},
-          {"clients", clients_}};
+          {"clients", service_.clients}};
 }
 
 }  // namespace stanok::daemon

@@ -19,6 +19,7 @@
 #include "daemon/desk/program_queue.h"
 #include "daemon/desk/subscription.h"
 #include "daemon/desk/surface_desk.h"
+#include "daemon/desk/tables/touch_desk.h"
 #include "daemon/report/measurement_notes.h"
 #include "daemon/report/status_report.h"
 #include "protocol/json_rpc.h"
@@ -69,7 +70,7 @@ class Dispatch {
     surfaces_.tick();
     logs_.tick();
   }
-  void set_clients(std::size_t clients) { clients_ = clients; }
+  void set_clients(std::size_t clients) { service_.clients = clients; }
   // The session has ended.
   void forget(int session);
 
@@ -111,6 +112,9 @@ class Dispatch {
   void remove_program(Call call);
   using QueueChange = void (ProgramQueue::*)(const nlohmann::json& parameters, int channel,
                                              Answer answer);
+  using Touch = void (TouchDesk::*)(const nlohmann::json&, int, Answer);
+  void touch(Call call, Touch way);
+  void undo_touch(Call call);
   void change_queue(Call call, QueueChange change);
   [[nodiscard]] static Answer logged(const Call& call, Answer answer, nlohmann::json shown);
   [[nodiscard]] CommandResult tool_get(const nlohmann::json& parameters) const;
@@ -131,14 +135,19 @@ class Dispatch {
   ChannelControl control_;
   std::map<int, int> told_control_;  // session by channel, as the cycle was told; -1: not known
   CommandDesk desk_;
+  TouchDesk touches_;
   ProgramDesk programs_;
   ProgramQueue queue_;
   SurfaceDesk surfaces_;
   LogDesk logs_;
   StatusReport report_;
   MeasurementNotes measurements_;
-  std::size_t clients_ = 0;
-  SteadyTime started_;
+  // How the daemon came to be, and who looks at it.
+  struct Service {
+    std::size_t clients = 0;
+    SteadyTime started;
+  };
+  Service service_;
 };
 
 }  // namespace stanok::daemon

@@ -58,6 +58,7 @@ Expected<channels::OperatorEvent, Failure> operator_event(const config::MachineF
   auto event = runtime::operator_event(protocol::machine_request(method, parameters));
   if (!event)
     return not_admitted(FailureKind::internal, "", "no action " + std::string(method.action));
+  event->situation = parameters.value("situation", std::uint32_t{0});
   event->channel = concerns_machine(method) ? 0 : channel_or_first(file, parameters);
   return *event;
 }

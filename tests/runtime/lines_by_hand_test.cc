@@ -30,8 +30,8 @@ std::vector<std::string> type_lines(HandBench& bench, LineSource& source, int co
   return lines;
 }
 
-// Axes, tables, frame, length, codes, tool and spindle after lines by hand, and after the same lines
-// as a program: the program is the reference.
+// Axes, tables, frame, length, codes, tool and spindle after lines by hand, and after the same
+// lines as a program: the program is the reference.
 TEST_P(ByHand, LinesDoWhatTheSameLinesDoAsAProgram) {
   const channels::MachineConfig machine = shipped_machine(GetParam());
   const int sessions = cases(40);
@@ -49,13 +49,13 @@ TEST_P(ByHand, LinesDoWhatTheSameLinesDoAsAProgram) {
       for (const std::string& line : lines) ASSERT_EQ(again.type(line), "") << line;
       HandBench program(machine);
       ASSERT_EQ(program.run_to_stop(text_of(lines)), "") << text_of(lines);
-      EXPECT_EQ(difference(again.left(), program.left()), "")
-          << "seed " << seed << "\n" << text_of(lines);
+      EXPECT_EQ(difference(again.left(), program.left()), "") << "seed " << seed << "\n"
+                                                              << text_of(lines);
     } else {
       HandBench program(machine);
       ASSERT_EQ(program.run_to_stop(text_of(lines)), "") << text_of(lines);
-      EXPECT_EQ(difference(by_hand.left(), program.left()), "")
-          << "seed " << seed << "\n" << text_of(lines);
+      EXPECT_EQ(difference(by_hand.left(), program.left()), "") << "seed " << seed << "\n"
+                                                                << text_of(lines);
     }
     compared += static_cast<int>(lines.size());
     if (HasFailure()) return;
@@ -82,7 +82,8 @@ TEST_P(ByHand, TypingWhatIsShownMovesNothing) {
     const ChannelLeft after = bench.left();
     for (std::size_t k = 0; k < before.axes_M.size(); ++k) {
       EXPECT_NEAR(after.axes_M[k], before.axes_M[k], 1e-9)
-          << "seed " << seed << " axis " << k << " " << back << "\n" << text_of(lines);
+          << "seed " << seed << " axis " << k << " " << back << "\n"
+          << text_of(lines);
     }
     if (HasFailure()) return;
   }
@@ -107,8 +108,8 @@ TEST_P(ByHand, ASyncPointChangesNothing) {
     HandBench with(machine);
     ASSERT_EQ(plain.run_to_stop(text_of(lines)), "") << text_of(lines);
     ASSERT_EQ(with.run_to_stop(text_of(waiting)), "") << text_of(waiting);
-    EXPECT_EQ(difference(plain.left(), with.left()), "")
-        << "seed " << seed << "\n" << text_of(waiting);
+    EXPECT_EQ(difference(plain.left(), with.left()), "") << "seed " << seed << "\n"
+                                                         << text_of(waiting);
     if (HasFailure()) return;
   }
 }

@@ -278,7 +278,8 @@ std::string LineSource::of_cycles(const lang::AxisValues& shown) {
       return any_of({"G91 G28 Z0", "G91 G30 Z0"});
     default:
       count("G53");
-      return "G53 G0 Z" + number(machine_.axes[channel_.axes[place_of("Z")]].start + choices_.between(-3.0, 3.0));
+      return "G53 G0 Z" + number(machine_.axes[channel_.axes[place_of("Z")]].start +
+                                 choices_.between(-3.0, 3.0));
   }
 }
 
@@ -299,8 +300,7 @@ std::string LineSource::next(const lang::AxisValues& shown) {
 }
 
 HandBench::HandBench(channels::MachineConfig machine)
-    : machine_(std::move(machine)),
-      bench_(machine_, {.on_at_start = true, .stops_go_on = false}) {
+    : machine_(std::move(machine)), bench_(machine_, {.on_at_start = true, .stops_go_on = false}) {
   settle();
 }
 
@@ -375,7 +375,8 @@ ChannelLeft HandBench::left() {
   ChannelLeft left;
   const lang::AxisValues words = shown();
   for (std::size_t k = 0; k < machine_.channels[0].axes.size(); ++k) {
-    const bool turns = now().drives[k].follows_velocity;  // a spindle: how long it does is no matter
+    const bool turns =
+        now().drives[k].follows_velocity;  // a spindle: how long it does is no matter
     left.axes_M.push_back(turns ? 0.0 : now().axes[k].position);
     if (turns) continue;
     left.words.push_back(words[k]);
@@ -384,7 +385,8 @@ ChannelLeft HandBench::left() {
   left.frame = now().work_frame;
   left.mode = now().point_mode;
   lang::ActiveCodes codes = situation.meaning.codes;
-  for (const lang::Group passing : {lang::Group::stop, lang::Group::state, lang::Group::input_output})
+  for (const lang::Group passing :
+       {lang::Group::stop, lang::Group::state, lang::Group::input_output})
     codes[passing] = 0;
   for (const char letter : {'G', 'M'}) {
     for (const std::string& code : lang::names_of(codes, letter)) left.codes.push_back(code);

@@ -3,8 +3,8 @@
 //
 // Each line is chosen where the axes stand then, so that most stay within the travel. A third of
 // the moves are incremental; all that gives words their meaning is changed between them: work
-// offsets, G52, G92, rotation, planes, scaling, mirror, units, lengths of every kind, tools, rows of
-// both tables, stored points, cycles and probing.
+// offsets, G52, G92, rotation, planes, scaling, mirror, units, lengths of every kind, tools, rows
+// of both tables, stored points, cycles and probing.
 #pragma once
 
 #include <cstdint>
