@@ -1,7 +1,8 @@
 # Read by ctest when it starts: one test for each suite of a test program, without its full-size workloads. `program`,
-# `prefix` and `timeout_s` are set by who includes it, stanok_test_suites.
+# `prefix`, `label` and `timeout_s` are set by who includes it, stanok_test_suites.
 if(NOT EXISTS ${program})
   add_test(${prefix}.NOT_BUILT ${program})
+  set_tests_properties(${prefix}.NOT_BUILT PROPERTIES LABELS ${label})
   return()
 endif()
 execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result ERROR_VARIABLE errors)
@@ -17,5 +18,5 @@ foreach(suite IN LISTS suites)
     continue()
   endif()
   add_test("${prefix}.${suite}" ${program} "--gtest_filter=${suite}.*-*FullSize*" --gtest_brief=1)
-  set_tests_properties("${prefix}.${suite}" PROPERTIES TIMEOUT ${timeout_s})
+  set_tests_properties("${prefix}.${suite}" PROPERTIES TIMEOUT ${timeout_s} LABELS ${label})
 endforeach()
