@@ -157,7 +157,7 @@ function(stanok_test_suites target prefix label)
   set(listing ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
   file(GENERATE OUTPUT ${listing} CONTENT
     "set(program $<TARGET_FILE:${target}>)\nset(prefix ${prefix})\nset(label ${label})\nset(timeout_s ${timeout_s})\n\
-include(${CMAKE_SOURCE_DIR}/cmake/ListSuites.cmake)\n")
+set(durations ${CMAKE_SOURCE_DIR}/tests/durations.txt)\ninclude(${CMAKE_SOURCE_DIR}/cmake/ListSuites.cmake)\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listing})
 endfunction()
 
