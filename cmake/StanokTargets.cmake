@@ -161,11 +161,11 @@ set(durations ${CMAKE_SOURCE_DIR}/tests/durations.txt)\ninclude(${CMAKE_SOURCE_D
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listing})
 endfunction()
 
-# stanok_tests(<folder> [LIBRARIES dependency...]): tests/<folder>/*_test.cc become <folder>_tests, one ctest each suite; those
+# stanok_tests(<folder> [LIBRARY library] [TARGETS target...] [LIBRARIES dependency...]): tests/<folder>/*_test.cc become <folder>_tests, one ctest each suite; those
 # called ...FullSize... are one in the configuration `long` of what is not sanitized. The suites have the label `unit`, and
 # ./test runs them in the sanitized build; with TEXTS they look at texts, have the label `texts` and belong to the release.
 function(stanok_tests folder)
-  cmake_parse_arguments(ARG "TEXTS" "" "TARGETS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "TEXTS" "LIBRARY" "TARGETS;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${folder}/*_test.cc)
   if(NOT sources)
     return()
@@ -182,7 +182,9 @@ function(stanok_tests folder)
     file(RELATIVE_PATH unchecked ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/tests/support/unchecked.supp)
     target_compile_options(${folder}_tests PRIVATE -fsanitize-ignorelist=${unchecked})
   endif()
-  if(TARGET stanok_${folder})
+  if(ARG_LIBRARY)
+    target_link_libraries(${folder}_tests PRIVATE ${ARG_LIBRARY})
+  elseif(TARGET stanok_${folder})
     target_link_libraries(${folder}_tests PRIVATE stanok_${folder})
   endif()
   foreach(target IN LISTS ARG_TARGETS)
