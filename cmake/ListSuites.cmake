@@ -1,13 +1,16 @@
 # Read by ctest when it starts: one test for each suite of a test program, without its full-size workloads. `program`,
-# `prefix` and `timeout_s` are set by who includes it, stanok_test_suites.
+# `prefix`, `label`, `timeout_s` and `durations`, the file that says how long tests take, are set by who includes it,
+# stanok_test_suites.
 if(NOT EXISTS ${program})
   add_test(${prefix}.NOT_BUILT ${program})
+  set_tests_properties(${prefix}.NOT_BUILT PROPERTIES LABELS ${label})
   return()
 endif()
 execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result ERROR_VARIABLE errors)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${program} --gtest_list_tests: ${result}\n${errors}")
 endif()
+file(STRINGS ${durations} lasting REGEX "^${prefix}\\.")
 # Suites begin a line and end with a dot; their cases are indented.
 string(REGEX MATCHALL "(^|\n)[^ \n][^ \n]*\\." suites "${listed}")
 foreach(suite IN LISTS suites)
@@ -17,5 +20,8 @@ foreach(suite IN LISTS suites)
     continue()
   endif()
   add_test("${prefix}.${suite}" ${program} "--gtest_filter=${suite}.*-*FullSize*" --gtest_brief=1)
-  set_tests_properties("${prefix}.${suite}" PROPERTIES TIMEOUT ${timeout_s})
+  set_tests_properties("${prefix}.${suite}" PROPERTIES TIMEOUT ${timeout_s} LABELS ${label})
+  if(";${lasting};" MATCHES ";${prefix}\\.${suite} ([0-9.]+);")
+    set_tests_properties("${prefix}.${suite}" PROPERTIES COST ${CMAKE_MATCH_1})
+  endif()
 endforeach()

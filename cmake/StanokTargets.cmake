@@ -146,32 +146,45 @@ function(stanok_plugin name)
   set_property(GLOBAL APPEND PROPERTY STANOK_LAYERS "${ARG_FOLDER} ${ARG_DEPENDS}")
 endfunction()
 
-# stanok_test_suites(<target> <prefix>): one ctest for each suite of a test program, listed when ctest starts. Beginning
-# a process takes longer than most cases, a quarter of a second where it is sanitized. Full-size workloads are left out.
-function(stanok_test_suites target prefix)
+# stanok_test_suites(<target> <prefix> <label>): one ctest for each suite of a test program, listed when ctest starts.
+# Beginning a process takes longer than most cases, a quarter of a second where it is sanitized. Full-size workloads are
+# left out.
+function(stanok_test_suites target prefix label)
   set(timeout_s 900)  # ends what hangs; on a loaded computer a suite takes four times as long
   if(STANOK_SANITIZE STREQUAL "thread")
     set(timeout_s 1500)
   endif()
   set(listing ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
   file(GENERATE OUTPUT ${listing} CONTENT
-    "set(program $<TARGET_FILE:${target}>)\nset(prefix ${prefix})\nset(timeout_s ${timeout_s})\n\
-include(${CMAKE_SOURCE_DIR}/cmake/ListSuites.cmake)\n")
+    "set(program $<TARGET_FILE:${target}>)\nset(prefix ${prefix})\nset(label ${label})\nset(timeout_s ${timeout_s})\n\
+set(durations ${CMAKE_SOURCE_DIR}/tests/durations.txt)\ninclude(${CMAKE_SOURCE_DIR}/cmake/ListSuites.cmake)\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listing})
 endfunction()
 
-# stanok_tests(<folder> [LIBRARIES dependency...]): tests/<folder>/*_test.cc become <folder>_tests, one ctest each suite; those
-# called ...FullSize... are one in the configuration `long` of what is not sanitized.
+# stanok_tests(<folder> [LIBRARY library] [TARGETS target...] [LIBRARIES dependency...]): tests/<folder>/*_test.cc become <folder>_tests, one ctest each suite; those
+# called ...FullSize... are one in the configuration `long` of what is not sanitized. The suites have the label `unit`, and
+# ./test runs them in the sanitized build; with TEXTS they look at texts, have the label `texts` and belong to the release.
 function(stanok_tests folder)
-  cmake_parse_arguments(ARG "" "" "TARGETS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "TEXTS" "LIBRARY" "TARGETS;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${folder}/*_test.cc)
   if(NOT sources)
     return()
   endif()
-  stanok_units(units ${folder}_tests 12 ${sources})
+  set(most 12)
+  if(STANOK_SANITIZE)
+    set(most 24)  # a fifth less to compile; without sanitizers a unit is compiled soon, and single tests are looked at
+  endif()
+  stanok_units(units ${folder}_tests ${most} ${sources})
   add_executable(${folder}_tests ${units})
   target_link_libraries(${folder}_tests PRIVATE stanok_warnings test_support GTest::gtest_main GTest::gmock)
-  if(TARGET stanok_${folder})
+  if(STANOK_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    # Named from the build folder: checkouts share a compiler cache.
+    file(RELATIVE_PATH unchecked ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/tests/support/unchecked.supp)
+    target_compile_options(${folder}_tests PRIVATE -fsanitize-ignorelist=${unchecked})
+  endif()
+  if(ARG_LIBRARY)
+    target_link_libraries(${folder}_tests PRIVATE ${ARG_LIBRARY})
+  elseif(TARGET stanok_${folder})
     target_link_libraries(${folder}_tests PRIVATE stanok_${folder})
   endif()
   foreach(target IN LISTS ARG_TARGETS)
@@ -180,7 +193,12 @@ function(stanok_tests folder)
   foreach(library IN LISTS ARG_LIBRARIES)
     target_link_libraries(${folder}_tests PRIVATE stanok_dep_${library})
   endforeach()
-  stanok_test_suites(${folder}_tests ${folder})
+  if(ARG_TEXTS)
+    stanok_test_suites(${folder}_tests ${folder} texts)
+  else()
+    stanok_test_suites(${folder}_tests ${folder} unit)
+    add_dependencies(unit_tests ${folder}_tests)
+  endif()
   foreach(source IN LISTS sources)
     file(STRINGS ${source} full_size REGEX "FullSize" LIMIT_COUNT 1)
     if(full_size AND NOT STANOK_SANITIZE AND NOT TEST ${folder}.full_size)

@@ -107,6 +107,8 @@ test('loading the page again changes nothing of the job', async () => {
 });
 
 test('a second page sees the same and may hold', async () => {
+  // Slow enough to be still there when a loaded computer has opened the page.
+  await stage.client.call('override.feed', { channel: 1, percent: 5 });
   const other = await stage.openMachine({ width: 360, height: 640 });
   await mark(other, '2 master', 'waiting').waitFor();
   await other.getByRole('button', { name: 'HOLD ALL' }).click();

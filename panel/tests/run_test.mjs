@@ -126,7 +126,7 @@ test('the part is seen while it is cut, in the colours of its tools', async () =
   const tools = page.getByRole('list', { name: 'Surfaces by tool' });
   await tools.getByText('T1').waitFor({ timeout: 60_000 });
   await tools.getByText('T2').waitFor({ timeout: 60_000 });
-  assert.ok(await tools.getByText('blank').isVisible());
+  await tools.getByText('blank').waitFor();
   await until('the program is over', isOver, 90);
   await show('programs');
   await page.getByText(/ran \d\d:\d\d$/).waitFor();

@@ -167,7 +167,7 @@ describe('states', () => {
       return refused.isVisible();
     });
     assert.ok(!sent.includes('machine.on'));
-    assert.ok(await page.getByText('Your role may not jog.').isVisible());
+    await page.getByText('Your role may not jog.').waitFor();
     for (const view of views) {
       await show(page, view);
       assert.deepEqual(await findings(page), [], view);
@@ -304,7 +304,7 @@ describe('users', () => {
     await signIn(page, 'observer', password);
     await page.getByRole('button', { name: 'observer' }).first().click();
     await page.getByText('You may look.').waitFor();
-    assert.ok(await page.locator('#session-menu').getByText('e7106mf4').isVisible());
+    await page.locator('#session-menu').getByText('e7106mf4').waitFor();
     assert.deepEqual(await findings(page), []);
     await signIn(page, 'operator', password);
     await page.getByRole('button', { name: 'operator · operator' }).waitFor();

@@ -76,7 +76,14 @@ flight=$(find "$folder/log" -name '*-flight-*.lcm')
 [[ -s $flight ]] || fail "the emergency stop left no record of its last seconds"
 "$2" log info "$flight" >/dev/null || fail "the flight record cannot be read"
 # What happened in real time, with all that was commanded, comes out the same from the log.
-"$2" log verify "$log" >"$folder/verified" || fail "the log cannot be verified: $(cat "$folder/verified")"
+verified=0
+"$2" log verify "$log" >"$folder/verified" || verified=$?
+if [[ $verified == 8 && ${STANOK_REPEATED:-0} -lt 5 ]]; then
+  # A computer with too much to do starved the recorder for a second, and the log says so (W720): all over again.
+  rm -rf "$folder"
+  STANOK_REPEATED=$((${STANOK_REPEATED:-0} + 1)) exec "$0" "$@"
+fi
+[[ $verified == 0 ]] || fail "the log cannot be verified: $(cat "$folder/verified")"
 grep -q 'are the same, bit for bit' "$folder/verified" || fail "log verify says: $(cat "$folder/verified")"
 expect_exit 3 machine status # nobody is there any more
 echo "end to end: passed"

@@ -57,14 +57,21 @@ expect_exit() {
   [[ $code == "$wanted" ]] || fail "stanok $*: exit code $code, not $wanted: $(cat "$folder/stanok.err")"
 }
 
+# reset_channels: both of a machine that has two; ends faults of drives.
+reset_channels() {
+  "${operate[@]}" program reset >/dev/null 2>&1 || true
+  "${operate[@]}" program reset --channel 2 >/dev/null 2>&1 || true
+}
+
 # switch_on: a computer that is loaded may starve the drives inside the daemon, which is told as a drive that does
-# not answer (A3001); an operator switches on again.
+# not answer (A3001) or as its fault (A3002); an operator switches on again.
 switch_on() {
   local k
   for ((k = 0; k < 10; ++k)); do
     output=$("${operate[@]}" machine on 2>"$folder/stanok.err") && return
-    grep -q A3001 "$folder/stanok.err" || break
+    grep -q 'A300[12]' "$folder/stanok.err" || break
     sleep 0.5
+    reset_channels
   done
   fail "stanok machine on: $(cat "$folder/stanok.err")"
 }
@@ -76,21 +83,23 @@ run_through() {
   for ((k = 0; k < 10; ++k)); do
     output=$("${operate[@]}" program run "$@" --wait 2>"$folder/stanok.err") && return
     grep -q A3 "$folder/stanok.err" || break
-    "${operate[@]}" program reset >/dev/null || break
+    reset_channels
     switch_on
   done
   fail "stanok program run $1: $(cat "$folder/stanok.err")"
 }
 
-# wait_for TEXT: until `channel status --json` contains the text; gives up well before ctest would, which says less.
+# wait_for TEXT...: until `channel status --json` contains one of the texts; gives up well before ctest would, which
+# says less.
 wait_for() {
   local -r begun=$SECONDS
+  local text
   while ((SECONDS - begun < 120)); do
     expect_exit 0 channel status --json
-    [[ $output == *"$1"* ]] && return
+    for text in "$@"; do [[ $output != *"$text"* ]] || return 0; done
     sleep 0.05
   done
-  fail "channel status never showed $1"
+  fail "channel status never showed $*"
 }
 
 # positions: all that stand in $output, of a status of a channel. What else it says may change at rest, as

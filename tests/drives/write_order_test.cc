@@ -94,7 +94,7 @@ class NotingDrive {
   void serve(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       pollfd waiting{.fd = listener_, .events = POLLIN, .revents = 0};
-      if (poll(&waiting, 1, 10) != 1) continue;
+      if (::poll(&waiting, 1, 10) != 1) continue;
       int server = listener_;
       modbus_tcp_accept(context_, &server);
       answer_all(stop);
@@ -106,7 +106,7 @@ class NotingDrive {
     std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> query{};
     while (!stop.stop_requested()) {
       pollfd waiting{.fd = modbus_get_socket(context_), .events = POLLIN, .revents = 0};
-      if (poll(&waiting, 1, 10) != 1) continue;
+      if (::poll(&waiting, 1, 10) != 1) continue;
       const int length = modbus_receive(context_, query.data());
       if (length < 0) return;
       const std::scoped_lock lock(mutex_);

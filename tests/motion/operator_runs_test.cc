@@ -282,7 +282,7 @@ class OperatorRuns : public ::testing::TestWithParam<AbortScene> {
 };
 
 TEST_P(OperatorRuns, KeepLimitsAndPathAndRestWhereTheyAreAborted) {
-  run_seeds(1, 10);
+  run_seeds(1, stanok::testing::is_sanitized ? 5 : 10);
 }
 
 // With the ten above these are 504 runs.

@@ -68,7 +68,7 @@ follow_a_run() {
     2>"$folder/follow_log.err" || fail "the log cannot be followed"
 }
 
-readonly attempts=3
+readonly attempts=6
 for ((attempt = 1; attempt <= attempts; ++attempt)); do
   rm -rf "$folder/log" "$folder/log_parts" "$folder/bus" "$folder/state"
   follow_a_run

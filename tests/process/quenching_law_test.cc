@@ -17,11 +17,11 @@ namespace {
 constexpr double law_mass_kg = 2.0;
 constexpr double law_hz = 4.0;
 constexpr double level_um = 6.0;
-constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr double turn_rad = 2.0 * std::numbers::pi;
 
 double force_for(double amplitude_um, double hz) {
   return 1.1 * amplitude_um * 1e-6 / std::numbers::sqrt2 * law_mass_kg *
-         std::abs(std::pow(two_pi * hz, 2) - std::pow(two_pi * law_hz, 2));
+         std::abs(std::pow(turn_rad * hz, 2) - std::pow(turn_rad * law_hz, 2));
 }
 
 class LawBench {
@@ -93,7 +93,8 @@ TEST(QuenchingLaw, FindsBackToItsForceWhenAVibrationComesThrough) {
   bench.run(2.0, 12.0, 100.0);
   for (int k = 0; k < 60000; ++k) {
     const double moved = bench.force() / law_mass_kg /
-                         std::abs(std::pow(two_pi * 100.0, 2) - std::pow(two_pi * law_hz, 2)) * 1e6;
+                         std::abs(std::pow(turn_rad * 100.0, 2) - std::pow(turn_rad * law_hz, 2)) *
+                         1e6;
     const double rest = 144.0 - 2.0 * moved * moved;
     bench.advance({rest > 0.0 ? std::sqrt(rest) : 0.05, 100.0});
     ASSERT_GE(bench.force(), 0.88 * force_for(12.0, 100.0)) << k;
@@ -121,9 +122,10 @@ TEST(QuenchingLaw, HasTheForceWithinFivePercentInNoiseBesideALineAndRunOut) {
       std::vector<double> samples;
       for (int k = 0; k < 4; ++k) {
         const double t = (4 * cycle + k) / rate;
-        samples.push_back(12.0 * std::sin(two_pi * hz * t) + 7.0 * std::sin(two_pi * 187.0 * t) +
-                          24.0 * std::sin(two_pi * 10.0 * t) + 9.0 * std::sin(two_pi * 30.0 * t) +
-                          noise(random));
+        samples.push_back(12.0 * std::sin(turn_rad * hz * t) +
+                          7.0 * std::sin(turn_rad * 187.0 * t) +
+                          24.0 * std::sin(turn_rad * 10.0 * t) +
+                          9.0 * std::sin(turn_rad * 30.0 * t) + noise(random));
       }
       meter.add(samples, 600.0);
       static_cast<void>(meter.work());

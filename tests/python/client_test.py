@@ -224,7 +224,7 @@ class WithoutDaemon(unittest.TestCase):
         lines = [line(method="hello", params={"machine": "m"}), status(0, full=True)]
         lines += [part for number in range(1, told + 1) for part in (status(number, full=False), event(number))]
         lines.append(line(id=1, result={"name": "m"}))
-        client = stanok.connect(self.serve(*lines))
+        client = stanok.connect(self.serve(*lines), timeout_s=240)  # for 50,000 messages on a loaded computer
         self.addCleanup(client.close)
         self.assertEqual(client.call("machine.status"), {"name": "m"})
         kept = list(client._notifications)

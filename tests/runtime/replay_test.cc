@@ -10,6 +10,7 @@
 
 #include "recording/read/log_contents.h"
 #include "tests/runtime/recorded_by_chance.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::runtime {
 namespace {
@@ -61,7 +62,8 @@ TEST_P(ReplayOfAnything, IsTheSameBitForBit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, ReplayOfAnything, ::testing::Range(0, 12));
+INSTANTIATE_TEST_SUITE_P(Seeds, ReplayOfAnything,
+                         ::testing::Range(0, stanok::testing::is_sanitized ? 6 : 12));
 
 TEST(Replay, ALogSaysWhichMachineFileItIsOf) {
   RecordedByChance run("mill3.toml", DriveChoice::ideal, 1);

@@ -4,6 +4,7 @@
 usage: machine_test.py STANOK_WEB STANOKD STANOK MACHINE_FILE [unittest arguments]
 """
 import contextlib
+import functools
 import json
 import math
 import os
@@ -23,6 +24,25 @@ from web_browser import PATIENCE_S, Browser, Closed, running_web  # noqa: E402
 STANOK_WEB, STANOKD, STANOK, MACHINE = (sys.argv.pop(1) for _ in range(4))
 FOLLOWED_S = 5
 LONG_PROGRAM = "for (num turn = 0; turn < 100000; turn++) {\nG1 X5 F600\nX0\n}\nM30\n"
+
+
+class Starved(Exception):
+    """The computer had too much else to do, and the daemon says so: drives without contact, outputs that are lost."""
+
+
+def again_where_starved(test):
+    """Up to five times, each with a daemon of its own."""
+    @functools.wraps(test)
+    def repeated(self):
+        for _ in range(4):
+            try:
+                return test(self)
+            except Starved as why:
+                print(f"once more: {why}")
+                self.doCleanups()
+                self.setUp()
+        return test(self)
+    return repeated
 
 
 class AtTheMachine(unittest.TestCase):
@@ -64,6 +84,20 @@ class AtTheMachine(unittest.TestCase):
     def switch_on(self, window):
         """A computer that is loaded may starve the drives inside the daemon; one switches on again."""
         self.insist(window, "machine.on", code="A3001")
+
+    def expect_enough_time(self):
+        lost = self.operator.ask("machine.status")["outputs_lost"]
+        status = self.operator.ask("channel.status")
+        if lost > 0 or '"code": "A300' in json.dumps(status):
+            raise Starved(f"{lost} outputs lost, {status}")
+
+    def verify(self, window, log):
+        """Of a log that is not verified to its end since the recorder fell behind is told that, and no more."""
+        verified = window.ask("history.verify", file=log)
+        if any(remark.startswith("W720") for remark in verified["remarks"]):
+            raise Starved(verified["remarks"])
+        self.assertEqual((verified["verdict"], verified["difference"]), ("same", None), verified)
+        return verified
 
     def test_a_job_outlives_the_page_and_its_server(self):
         window = self.open_window()
@@ -142,6 +176,7 @@ class AtTheMachine(unittest.TestCase):
                 self.assertAlmostEqual(math.hypot(x, y), 20.0, delta=1e-4)
         window.close()
 
+    @again_where_starved
     def test_a_workpiece_is_seen_while_it_is_cut(self):
         window = self.open_window()
         self.switch_on(window)
@@ -157,11 +192,13 @@ class AtTheMachine(unittest.TestCase):
         bricks, known = {}, {"workpiece": 0, "since": 0}
         end = time.monotonic() + PATIENCE_S
         while abs(self.volume_of(bricks) - wanted) > 0.01 * wanted:
+            self.expect_enough_time()
             self.assertLess(time.monotonic(), end, self.volume_of(bricks))
             self.look_at_surface(window, bricks, known)
         self.assertEqual({tool for corners in bricks.values() for _, tool in corners}, {0, 1})
         window.close()
 
+    @again_where_starved
     def test_a_log_is_verified_and_its_path_comes_with_times(self):
         window = self.open_window()
         self.switch_on(window)
@@ -175,8 +212,7 @@ class AtTheMachine(unittest.TestCase):
         log = os.path.basename(window.ask("log.stop")["path"])
         listed = [one["file"] for one in window.ask("history.logs")["logs"]]
         self.assertIn(log, listed)
-        verified = window.ask("history.verify", file=log)
-        self.assertEqual((verified["verdict"], verified["difference"]), ("same", None), verified)
+        self.verify(window, log)
         for system, end_of_row in (("work", (-70, 10)), ("part", (30, 10))):
             path = window.ask("history.path", file=log, system=system)
             self.assertEqual(path["system"], system)
@@ -301,6 +337,7 @@ class AtTheMachine(unittest.TestCase):
             window.close()
         self.until(lambda _: self.operator.ask("system.info")["clients"] == 1, "they had gone")
 
+    @again_where_starved
     def test_a_run_that_fifty_pages_follow_repeats_from_its_log(self):
         owner = self.open_window()
         self.switch_on(owner)
@@ -322,8 +359,7 @@ class AtTheMachine(unittest.TestCase):
         # However many a loaded computer leaves out: no page is forgotten.
         self.assertGreater(min(len(count) for count in counts), 0)
         log = os.path.basename(owner.ask("log.stop")["path"])
-        verified = owner.ask("history.verify", file=log)
-        self.assertEqual((verified["verdict"], verified["difference"]), ("same", None), verified)
+        verified = self.verify(owner, log)
         figures = [(one["rt"]["cycle_us"]["p999"], one["rt"]["latency_us"]["p999"]) for one in (alone, followed)]
         print(f"cycle and lateness p99.9 in us: {figures[0]} alone, {figures[1]} with 50 pages; "
               f"{sum(len(count) for count in counts)} messages; {verified}")

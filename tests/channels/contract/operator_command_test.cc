@@ -50,7 +50,7 @@ std::vector<Recorded> all_commands() {
       {ProcessInterrupt{0.4, 2.5}, 20, "process_interrupt", 0, 0.4, 2.5},
       {ProcessAutomatic{AutomaticLaw::linear, Switch::on}, 21, "process_automatic", 1, 0.0, 0.0,
        "linear"},
-      {Jog{ShortText("X"), -5.0, 0.1, JogFrame::tool}, 22, "jog", 1, -5.0, 0.1, "X"},
+      {commands::Jog{ShortText("X"), -5.0, 0.1, JogFrame::tool}, 22, "jog", 1, -5.0, 0.1, "X"},
       {Home{ShortText("Z")}, 23, "home", 0, 0.0, 0.0, "Z"},
       {ToolSet{ShortText("length"), 12.5, 7, 2}, 24, "tool_set", 7, 12.5, 2.0, "length"},
       {OffsetSet{text, -3.5}, 25, "offset_set", 0, -3.5, 0.0, "G54 X"},

@@ -7,7 +7,7 @@ namespace stanok::motion {
 namespace {
 
 constexpr double speed_of_ramp = 10.0;  // turns/s
-constexpr RampLimits ramp_limits{.a = 100.0, .j = 2000.0};
+constexpr RampLimits thread_ramp{.a = 100.0, .j = 2000.0};
 
 // A spindle in its direction that has turned so far since the ramp began.
 SpindleMotion turned(double turns, double direction, double turns_per_s) {
@@ -16,10 +16,10 @@ SpindleMotion turned(double turns, double direction, double turns_per_s) {
 
 // With the ramp to 10 turns/s, which is half as long as what the spindle turns meanwhile.
 RunInStart from_rest(double direction) {
-  const double half = 0.5 * speed_of_ramp * ramp_duration(0.0, speed_of_ramp, ramp_limits);
+  const double half = 0.5 * speed_of_ramp * ramp_duration(0.0, speed_of_ramp, thread_ramp);
   return {.direction = direction,
           .origin = half,
-          .ramp = ramp_up(0.0, 0.0, speed_of_ramp, ramp_limits),
+          .ramp = ramp_up(0.0, 0.0, speed_of_ramp, thread_ramp),
           .ramp_speed = speed_of_ramp};
 }
 
@@ -27,7 +27,7 @@ class ThreadLawOfDirection : public ::testing::TestWithParam<double> {};
 
 TEST_P(ThreadLawOfDirection, LeadsFromRestIntoTheTurnsOfTheSpindle) {
   const double direction = GetParam();
-  const double duration = ramp_duration(0.0, speed_of_ramp, ramp_limits);
+  const double duration = ramp_duration(0.0, speed_of_ramp, thread_ramp);
   const double half = 0.5 * speed_of_ramp * duration;
   ThreadLaw law;
   law.begin(from_rest(direction));
