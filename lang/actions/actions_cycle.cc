@@ -415,7 +415,7 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   if (is_begun && !is_cycle(block, block.modal.code(Group::motion))) {
     cycle = {};
     block.modal.cycles.motion_before = block.modal.code(Group::motion);
-    cycle.initial_level = block.modal.position_W[*axis];
+    cycle.initial_level = block.modal.position_W[*axis] + block.end.length_travel_W[*axis];
   }
   if (block.programmed == 0) return;
   if (is_begun) take_cycle_words(block, *axis);
