@@ -52,6 +52,8 @@ void limit_speed(ActiveBlock& block);  // G92 S
 void turn_spindle(ActiveBlock& block, int spindle, SpindleAction action);
 // Fails the block when the spindle stands.
 void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code);
+// Q of a thread, the angle of the spindle where it begins; fails the block beyond a turn.
+[[nodiscard]] double thread_start_angle_deg(ActiveBlock& block);
 
 // Spindles that are axes for a while (actions_spindle_axis.cc)
 // Whether a code of the block takes the word H1=, H2=.

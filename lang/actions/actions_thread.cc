@@ -1,7 +1,9 @@
 // Actions of threads by single blocks: G33 (G32) and G33.1.
 //
 // K is the lead along the path, as in LinuxCNC; F the lead along the axis that travels farther, as
-// on Fanuc controls. Both are the same on a thread along one axis.
+// on Fanuc controls. Both are the same on a thread along one axis. Q, where the spindle begins,
+// holds for its block alone; Fanuc controls count it in thousandths of a degree (B-64304EN-1,
+// multiple threading).
 #include <algorithm>
 #include <cmath>
 
@@ -83,18 +85,24 @@ void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code) {
       .help.push_back("program S and `M3` or `M4` before");
 }
 
-void cut_thread(ActiveBlock& block, CodeNumber code) {
-  auto move = synchronous_move(block, code);
-  if (!move) return;
+double thread_start_angle_deg(ActiveBlock& block) {
   constexpr double whole_turn_deg = 360.0;
-  if (block.has('Q') && std::abs(block.value('Q')) > whole_turn_deg) {
+  if (!block.has('Q')) return 0.0;
+  const double angle = value_or_thousandths(block, 'Q');
+  if (std::abs(angle) > whole_turn_deg) {
     block
         .fail("E4016", {'Q', -1, {}}, "`Q`, the angle of the spindle, is more than a turn",
               "thousandths?")
         .help.emplace_back("give degrees with a decimal point, e.g. `Q180.0`");
-    return;
   }
-  if (block.has('Q')) move->start_angle_deg = block.value('Q');
+  return angle;
+}
+
+void cut_thread(ActiveBlock& block, CodeNumber code) {
+  auto move = synchronous_move(block, code);
+  if (!move) return;
+  move->start_angle_deg = thread_start_angle_deg(block);
+  if (block.failed()) return;
   advance_position(block, move->line);
   block.queue.emit(*move);
 }

@@ -160,6 +160,7 @@ LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRul
     words |= letters_of("IJ");
   if (!on_lathe) return words;
   if (rules.is_fanuc() && (code.number == g(77) || code.number == g(78))) words |= letters_of("I");
+  if (rules.is_fanuc() && code.number == g(78)) words |= letters_of("Q");
   if (rules.is_fanuc() && code.number == g(79)) words |= letters_of("K");
   if (rules.is_haas() && code.number == g(73)) words |= letters_of("ID");
   if (code.number == g(70)) words |= rules.is_haas() ? letters_of("UWD") : letters_of("UW");
