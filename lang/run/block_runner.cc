@@ -254,6 +254,13 @@ BlockFlow BlockRunner::execute() {
   return select_stages(block, start_W) ? block.flow : BlockFlow{};
 }
 
+bool BlockRunner::take_words_before_call(CodeNumber m_code) {
+  ActiveBlock block = state_.block_at(place_.span.line);
+  lang::take_words_before_call(block, m_code);
+  if (block.faults.first) fail(std::move(*block.faults.first));
+  return !block.failed();
+}
+
 // What the block asks for whose commands come next; false: the run has failed.
 bool BlockRunner::select_stages(const ActiveBlock& block, const AxisValues& start_W) {
   const ModalState& modal = state_.modal;

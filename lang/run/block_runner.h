@@ -59,6 +59,8 @@ class BlockRunner {
   // Where the commands of the block just read come from, and at which call it stands.
   void begin_block();
   [[nodiscard]] BlockFlow execute();
+  // Before the block calls the program of its M code; false when the run has failed.
+  [[nodiscard]] bool take_words_before_call(CodeNumber m_code);
   // The block is to be executed again, from where it waited for an answer. Asked once.
   [[nodiscard]] bool take_rest() { return std::exchange(has_rest_, false); }
   void fail(BlockFault fault);

@@ -199,6 +199,8 @@ void ProgramRun::execute_block() {
   if (auto fault = check_macro_block(state_.words, *macro)) {
     return blocks_.fail(std::move(*fault));
   }
+  const bool is_m_code = macro->letter == 'M' && macro->user_code != nullptr;
+  if (is_m_code && !blocks_.take_words_before_call(static_cast<CodeNumber>(macro->number))) return;
   calls_.call_macro(*macro);
 }
 
