@@ -152,6 +152,24 @@ TEST_F(LineTest, FunctionsOfTheLoadedProgramAndItsIncludesCanBeCalled) {
   EXPECT_EQ(end_x(), 8.0);
 }
 
+// As by MDI on LinuxCNC.
+TEST_F(LineTest, OSubprogramsOfFilesAndOfTheLoadedProgramCanBeCalled) {
+  files.texts["mac.ngc"] = "O<mac> sub\nG91 G0 X#1\nG90\nO<mac> endsub\nM2\n";
+  files.texts["100.ngc"] = "O100 sub\nG0 X100\nO100 endsub\n";
+  enter("O<mac> call [3]");
+  EXPECT_EQ(error.code, "");
+  EXPECT_EQ(end_x(), 3.0);
+  EXPECT_EQ(all<ProgramEnd>().at(0).kind, ProgramEndKind::end_of_line);
+  enter("o100 CALL");
+  EXPECT_EQ(end_x(), 100.0);
+  load("O<own> sub\nG0 X7\nO<own> endsub\nG0 X99\nM30\n");
+  enter("o<own> call");
+  EXPECT_EQ(end_x(), 7.0);
+  EXPECT_THAT(codes_of("O<no> call"), ElementsAre("E7005"));
+  EXPECT_THAT(codes_of("O<mac> call [1] G0 X1"), Not(IsEmpty()));
+  EXPECT_THAT(codes_of("O<mac> call [1]\nG0 X1"), Not(IsEmpty()));
+}
+
 TEST_F(LineTest, TheTextsAreThoseOfTheLoad) {
   load("void go () { G0 X1\n }\nM30\n");
   files.texts["main.nc"] = "void go () { G0 X2\n }\nM30\n";
@@ -183,7 +201,8 @@ TEST_F(LineTest, WhatBelongsIntoAProgramIsRefused) {
   files.texts["lib.nc"] = "M99\n";
   EXPECT_THAT(codes_of("#include \"lib.nc\""), ElementsAre("E2092"));
   EXPECT_THAT(codes_of("void hole () { }"), ElementsAre("E2092"));
-  EXPECT_THAT(codes_of("O100 call"), ElementsAre("E2092", "E7005"));
+  EXPECT_THAT(codes_of("O100 sub"), ::testing::Contains("E2092"));
+  EXPECT_THAT(codes_of("O100 if [1]"), ::testing::Contains("E2092"));
   EXPECT_THAT(codes_of("channel_wait (2);"), ElementsAre("E2092"));
   EXPECT_THAT(codes_of("if (channel_wait (2)) { M0\n }"), ::testing::Contains("E2091"));
 }
