@@ -60,6 +60,12 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
                          name() + " = \"cycles/name.nc\"" +
                          (letter == 'M' ? ", \"output 4 on\", \"before\" or \"after\"" : "") +
                          " in [channel.codes]");
+    if (words.rules.is_haas() && letter == 'G' && (number == g(254) || number == g(255))) {
+      fault.label = "dynamic work offsets of Haas";
+      fault.help.emplace_back(
+          "`G54.2 P1` of the dialect stanok lets the rotary table carry G54, `G54.2 P0` ends it: "
+          "such a text can be that of the code");
+    }
     return fault;
   }
   if (row->action == CodeAction::unsupported) {
