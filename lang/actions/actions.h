@@ -23,6 +23,10 @@ namespace stanok::lang {
 #undef CODE_ACTION
 
 // Feed, speed, tool and machine functions (actions_machine.cc)
+// With a program of the machine file for M6, M3 or M4: T or S of the block, which these codes have
+// from earlier blocks, too, come into force before the program is called. Where T itself changes
+// the tool it is the program's.
+void take_words_before_call(ActiveBlock& block, CodeNumber m_code);
 // F alone, while no feed law is modal.
 void set_feed(ActiveBlock& block);
 // False, with the block failed, when `letter` does not hold a dwell of `seconds`.
@@ -52,6 +56,8 @@ void limit_speed(ActiveBlock& block);  // G92 S
 void turn_spindle(ActiveBlock& block, int spindle, SpindleAction action);
 // Fails the block when the spindle stands.
 void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code);
+// Q of a thread, the angle of the spindle where it begins; fails the block beyond a turn.
+[[nodiscard]] double thread_start_angle_deg(ActiveBlock& block);
 
 // Spindles that are axes for a while (actions_spindle_axis.cc)
 // Whether a code of the block takes the word H1=, H2=.

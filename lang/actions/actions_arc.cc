@@ -119,10 +119,16 @@ std::optional<ArcPlane> surface_plane(ActiveBlock& block, CodeNumber code) {
   return std::nullopt;
 }
 
+// Controls of Fanuc and Haas leave the third word of a centre alone; many posts write it as 0.
+bool says_nothing(const ActiveBlock& block, char letter) {
+  return block.words.rules.is_fanuc() && block.value(letter) == 0.0;
+}
+
 bool check_centre_words(ActiveBlock& block, const ArcPlane& plane, CodeNumber code) {
   const std::string plane_name = code_text('G', block.modal.code(plane.set_by));
   for (const char letter : {'I', 'J', 'K'}) {
-    if (!block.has(letter) || letter == plane.first_centre || letter == plane.second_centre) {
+    if (!block.has(letter) || letter == plane.first_centre || letter == plane.second_centre ||
+        says_nothing(block, letter)) {
       continue;
     }
     block

@@ -2,9 +2,10 @@
 //
 // Symbols: the plane's third axis is the tool axis; R the level to which the tool goes at rapid, Z
 // the bottom, the initial level the tool's height before the first block of the sequence. In G91 R
-// counts from the initial level and Z from R. Levels, Q and P stay valid within the sequence.
-// Source: T. R. Kramer, F. M. Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version 3"
-// (NISTIR 6556, 2000), section 3.5.16.
+// counts from the initial level and Z from R. Levels, Q and P stay valid within the sequence; of R
+// and Z in LinuxCNC not the level but the number, which has the meaning of G90 or G91 of each
+// block. Source: T. R. Kramer, F. M. Proctor, E. Messina, "The NIST RS274NGC Interpreter - Version
+// 3" (NISTIR 6556, 2000), section 3.5.16.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -146,26 +147,38 @@ void take_shift(ActiveBlock& block, CodeNumber kind) {
   block.modal.cycles.drilling.shift = {true, way('I', 0), way('J', 1)};
 }
 
-// Takes R, Z, Q and P of the block over into the sequence.
-void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
+// Takes R and Z of the block over into the sequence.
+void take_levels(ActiveBlock& block, AxisIndex axis) {
   DrillingCycle& cycle = block.modal.cycles.drilling;
   const CoordinateMap& map = block.modal.map;
   const auto level = [&](double word, double from) {
     return block.modal.incremental() ? from + map.gain(axis) * word : map.to_work(axis, word);
   };
   if (block.has('R')) {
+    cycle.retract_word = block.length('R');
+    cycle.has_retract_level = true;
+  }
+  if ((block.programmed & axis_bit(axis)) != 0) {
+    cycle.bottom_word = block.values[axis];
+    cycle.has_bottom = true;
+  }
+  const bool numbers_stay = block.words.rules.is_linuxcnc();
+  if (block.has('R') || (numbers_stay && cycle.has_retract_level)) {
     // On Fanuc lathes R is a distance from the initial level, whatever G90 says; on those of Haas
     // it is a position.
     const bool distance = block.channel.kind == ChannelKind::lathe &&
                           block.words.rules.is_fanuc() && !block.words.rules.is_haas();
-    cycle.retract_level = distance ? cycle.initial_level + map.gain(axis) * block.length('R')
-                                   : level(block.length('R'), cycle.initial_level);
-    cycle.has_retract_level = true;
+    cycle.retract_level = distance ? cycle.initial_level + map.gain(axis) * cycle.retract_word
+                                   : level(cycle.retract_word, cycle.initial_level);
   }
-  if ((block.programmed & axis_bit(axis)) != 0) {
-    cycle.bottom = level(block.values[axis], cycle.retract_level);
-    cycle.has_bottom = true;
-  }
+  if ((block.programmed & axis_bit(axis)) != 0 || (numbers_stay && cycle.has_bottom))
+    cycle.bottom = level(cycle.bottom_word, cycle.retract_level);
+}
+
+// Takes R, Z, Q and P of the block over into the sequence.
+void take_cycle_words(ActiveBlock& block, AxisIndex axis) {
+  take_levels(block, axis);
+  DrillingCycle& cycle = block.modal.cycles.drilling;
   // On Fanuc lathes Q counts thousandths when it has no point, as in their other cycles.
   const bool counted = block.channel.kind == ChannelKind::lathe;
   const double peck = counted ? value_or_thousandths(block, 'Q') : block.value('Q');
@@ -415,7 +428,7 @@ void drill_hole(ActiveBlock& block, CodeNumber code) {
   if (is_begun && !is_cycle(block, block.modal.code(Group::motion))) {
     cycle = {};
     block.modal.cycles.motion_before = block.modal.code(Group::motion);
-    cycle.initial_level = block.modal.position_W[*axis];
+    cycle.initial_level = block.modal.position_W[*axis] + block.end.length_travel_W[*axis];
   }
   if (block.programmed == 0) return;
   if (is_begun) take_cycle_words(block, *axis);

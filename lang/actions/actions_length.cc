@@ -5,6 +5,10 @@
 // written into the tool table meanwhile. While the tool is aligned with a plane the programmed
 // point is its tip as under G43.4, whatever code of the group is active: only so the coordinates of
 // the plane stand where the workpiece is.
+//
+// On Fanuc controls a length is added to the end of the block that says it, in G91, too: what comes
+// into force is a part of the way of that block. Source: operator's manual B-64304EN, tool length
+// offset, with its example of boring. Elsewhere an increment counts from where the tool stands.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -33,6 +37,23 @@ void change_length(ActiveBlock& block, ToolLength after) {
     if (axis.exists()) distance_B[axis] = before.offset_mm[k] - after.offset_mm[k];
   }
   block.modal.shift_position(distance_B);
+}
+
+bool is_incremental_block(const ActiveBlock& block) {
+  return block.words.g.has(g(91)) || (block.modal.incremental() && !block.words.g.has(g(90)));
+}
+
+// By G43, G44 and G49, and H under them.
+void change_length_of_block(ActiveBlock& block, const ToolLength& after) {
+  const AxisValues before_W = block.modal.position_W;
+  change_length(block, after);
+  const bool travels =
+      block.words.rules.is_fanuc() && block.flow.moves && is_incremental_block(block);
+  if (!travels || block.awaits_position) return;
+  for (const AxisIndex axis : block.modal.geometry) {
+    if (axis.exists())
+      block.end.length_travel_W[axis] = before_W[axis] - block.modal.position_W[axis];
+  }
 }
 
 // Edge whose length counts: that of the tool H names, the active one without H. For LinuxCNC H0
@@ -196,7 +217,7 @@ void use_tool_offset(ActiveBlock& block, int tool, int edge) {
 
 void compensate_length(ActiveBlock& block, CodeNumber code) {
   if (leads_tip(code) && excluded_by_mode(block, code, {Exclusion::carried_offset})) return;
-  if (code == g(49)) return change_length(block, ToolLength{});
+  if (code == g(49)) return change_length_of_block(block, ToolLength{});
   if (code == g(43, 1)) return set_by_axis_words(block);
   if (code == g(43, 2) && !block.has('H')) {
     block.fail("E4007", {'G', g(43, 2), {}}, "`G43.2` needs H, the tool to be added", "no H");
@@ -205,7 +226,7 @@ void compensate_length(ActiveBlock& block, CodeNumber code) {
   const auto source = length_source(block);
   if (!source) return;
   const Offset base = code == g(43, 2) ? block.modal.tool.length.offset_mm : Offset{};
-  change_length(block, length_of_row(block, *source, code, base));
+  change_length_of_block(block, length_of_row(block, *source, code, base));
 }
 
 void restore_length(ActiveBlock& block, const ToolLength& saved) {

@@ -125,6 +125,11 @@ void take_tool(ActiveBlock& block, CodeNumber) {
   use_tool_offset(block, word.tool, word.edge);
 }
 
+void take_words_before_call(ActiveBlock& block, CodeNumber m_code) {
+  if (m_code == m(6) && block.has('T') && !changes_at_tool_word(block)) take_tool(block, m_code);
+  if ((m_code == m(3) || m_code == m(4)) && block.has('S')) take_speed(block, m_code);
+}
+
 void change_tool(ActiveBlock& block, CodeNumber) {
   if (block.modal.tool.prepared < 0) {
     block

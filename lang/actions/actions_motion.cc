@@ -181,7 +181,7 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
     const bool from_zero = (block.absolute & axis_bit(i)) != 0;
     const bool from_position = (block.incremental & axis_bit(i)) != 0;
     if (from_position || (block.modal.incremental() && !from_zero)) {
-      move.end[i] += mapped ? map.gain(i) * value : value;
+      move.end[i] += block.end.length_travel_W[i] + (mapped ? map.gain(i) * value : value);
     } else if (axis.modulo_deg > 0.0 && !block.machine_coordinates && !is_length(block, i)) {
       move.end[i] = shortest_travel(value, move.end[i], axis.modulo_deg);
     } else {

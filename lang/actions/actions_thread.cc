@@ -1,10 +1,13 @@
 // Actions of threads by single blocks: G33 (G32) and G33.1.
 //
 // K is the lead along the path, as in LinuxCNC; F the lead along the axis that travels farther, as
-// on Fanuc controls. Both are the same on a thread along one axis.
+// on Fanuc controls. Both are the same on a thread along one axis. Q, where the spindle begins,
+// holds for its block alone; Fanuc controls count it in thousandths of a degree (B-64304EN-1,
+// multiple threading).
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector3.h"
 #include "lang/actions/actions.h"
 #include "lang/block/other_controls.h"
 
@@ -72,6 +75,24 @@ std::optional<SynchronousMove> synchronous_move(ActiveBlock& block, CodeNumber c
   return move;
 }
 
+// Along one axis, or along the tool as it leans at the start: on any other way a tap breaks.
+bool taps_straight(const ActiveBlock& block, const Move& move) {
+  if (block.modal.transformation.axis >= 0) return true;
+  const WorkFrame frame = block.modal.frame();
+  const AxisValues start_B = frame.base_from_work(block.modal.position_W);
+  const AxisValues end_B = frame.base_from_work(move.end);
+  Vector3<double> way_B;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const AxisIndex axis = block.channel_words.geometry_axis(k);
+    if (axis.exists()) way_B[static_cast<Eigen::Index>(k)] = end_B[axis] - start_B[axis];
+  }
+  const double along_tool = stanok::dot(way_B, vector3(block.tables.spindle_axes(start_B)[2]));
+  const double along = std::max(
+      {std::abs(way_B.x()), std::abs(way_B.y()), std::abs(way_B.z()), std::abs(along_tool)});
+  constexpr double rounding_mm = 0.002;  // of three coordinates with three decimals
+  return std::sqrt(std::max(stanok::dot(way_B, way_B) - along * along, 0.0)) <= rounding_mm;
+}
+
 }  // namespace
 
 void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code) {
@@ -83,18 +104,24 @@ void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code) {
       .help.push_back("program S and `M3` or `M4` before");
 }
 
-void cut_thread(ActiveBlock& block, CodeNumber code) {
-  auto move = synchronous_move(block, code);
-  if (!move) return;
+double thread_start_angle_deg(ActiveBlock& block) {
   constexpr double whole_turn_deg = 360.0;
-  if (block.has('Q') && std::abs(block.value('Q')) > whole_turn_deg) {
+  if (!block.has('Q')) return 0.0;
+  const double angle = value_or_thousandths(block, 'Q');
+  if (std::abs(angle) > whole_turn_deg) {
     block
         .fail("E4016", {'Q', -1, {}}, "`Q`, the angle of the spindle, is more than a turn",
               "thousandths?")
         .help.emplace_back("give degrees with a decimal point, e.g. `Q180.0`");
-    return;
   }
-  if (block.has('Q')) move->start_angle_deg = block.value('Q');
+  return angle;
+}
+
+void cut_thread(ActiveBlock& block, CodeNumber code) {
+  auto move = synchronous_move(block, code);
+  if (!move) return;
+  move->start_angle_deg = thread_start_angle_deg(block);
+  if (block.failed()) return;
   advance_position(block, move->line);
   block.queue.emit(*move);
 }
@@ -103,6 +130,14 @@ void cut_thread(ActiveBlock& block, CodeNumber code) {
 void tap_rigidly(ActiveBlock& block, CodeNumber code) {
   auto move = synchronous_move(block, code);
   if (!move) return;
+  if (!taps_straight(block, move->line)) {
+    block
+        .fail("E4070", {'G', code, {}}, "`G33.1` would tap on a slant",
+              "moves several axes, and not along the tool")
+        .help.emplace_back(
+            "go over the hole before, e.g. `G0 X10 Y0`, then tap with the end of the thread alone");
+    return;
+  }
   move->kind = SynchronousMove::Kind::rigid_tap;
   if (block.has('I')) {
     move->return_speed_factor = block.value('I');

@@ -239,7 +239,8 @@ void cut_in_one_block(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   thread.peak_end = {root.x - thread.inward * thread.depth, root.z};
   thread.peak_start = {thread.peak_end.x + (block.has('I') ? block.length('I') : 0.0), start.z};
   thread.infeed_tangent = tangent_of_deg(angle / 2.0);
-  if (block.has('Q')) thread.start_angle_deg = value_or_thousandths(block, 'Q');
+  thread.start_angle_deg = thread_start_angle_deg(block);
+  if (block.failed()) return;
   add_passes(block, thread, first, 0.5, 0.0, 0);
   cut_passes(block, moves, thread);
 }

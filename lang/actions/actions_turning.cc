@@ -2,7 +2,7 @@
 //
 // From the start point and back to it: one cut to X Z. R is the taper, a radius: how far the cut
 // begins from X (G77, G78) or Z (G79). X, Z, R and the lead of G78 stay valid until another motion
-// code.
+// code; Q, the angle of the spindle where a thread begins, does not.
 #include "lang/actions/cycle_moves.h"
 
 namespace stanok::lang {
@@ -58,6 +58,7 @@ void turn_once(ActiveBlock& block, CodeNumber code) {
   take_turning_words(block, *moves, code);
   check_turning(block, code);
   if (code == g(78)) check_spindle_turns(block, *spindle, code);
+  const double start_angle_deg = code == g(78) ? thread_start_angle_deg(block) : 0.0;
   if (block.failed()) return;
   const TurningCycle& cycle = block.modal.cycles.turning;
   const TurningPoint start = moves->position();
@@ -70,7 +71,7 @@ void turn_once(ActiveBlock& block, CodeNumber code) {
   }
   moves->rapid({cycle.x + cycle.taper, start.z});
   if (code == g(78)) {
-    moves->thread_and_out({cycle.x, cycle.z}, start.x, cycle.lead, *spindle);
+    moves->thread_and_out({cycle.x, cycle.z}, start.x, cycle.lead, *spindle, start_angle_deg);
   } else {
     moves->feed({cycle.x, cycle.z});
     moves->feed({start.x, cycle.z});

@@ -79,9 +79,10 @@ struct BlockSurroundings {
 
 // How the motion of a block ends.
 struct BlockEnd {
-  bool stops = false;           // G9
-  LetterSet plain_corners = 0;  // of A, C and R those that say `,A`, `,C` and `,R`
-  CornerRequest corner;         // ,C or ,R
+  bool stops = false;            // G9
+  LetterSet plain_corners = 0;   // of A, C and R those that say `,A`, `,C` and `,R`
+  CornerRequest corner;          // ,C or ,R
+  AxisValues length_travel_W{};  // what a new tool length adds to the increments of its block
 };
 
 // How far the execution of a block has come, in the order of its actions.

@@ -60,6 +60,12 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
                          name() + " = \"cycles/name.nc\"" +
                          (letter == 'M' ? ", \"output 4 on\", \"before\" or \"after\"" : "") +
                          " in [channel.codes]");
+    if (words.rules.is_haas() && letter == 'G' && (number == g(254) || number == g(255))) {
+      fault.label = "dynamic work offsets of Haas";
+      fault.help.emplace_back(
+          "`G54.2 P1` of the dialect stanok lets the rotary table carry G54, `G54.2 P0` ends it: "
+          "such a text can be that of the code");
+    }
     return fault;
   }
   if (row->action == CodeAction::unsupported) {
@@ -160,6 +166,7 @@ LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRul
     words |= letters_of("IJ");
   if (!on_lathe) return words;
   if (rules.is_fanuc() && (code.number == g(77) || code.number == g(78))) words |= letters_of("I");
+  if (rules.is_fanuc() && code.number == g(78)) words |= letters_of("Q");
   if (rules.is_fanuc() && code.number == g(79)) words |= letters_of("K");
   if (rules.is_haas() && code.number == g(73)) words |= letters_of("ID");
   if (code.number == g(70)) words |= rules.is_haas() ? letters_of("UWD") : letters_of("UW");

@@ -42,6 +42,8 @@ struct DrillingCycle {
   double initial_level = 0.0;
   double retract_level = 0.0;  // R
   double bottom = 0.0;         // Z
+  double retract_word = 0.0;   // the numbers of R and Z
+  double bottom_word = 0.0;
   double peck = 0.0;           // Q
   VariablePecks variable;      // I J K of Haas
   HoleShift shift;             // I J of G76 and G87

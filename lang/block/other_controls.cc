@@ -152,6 +152,28 @@ double value_or_thousandths(const ActiveBlock& block, char letter) {
   return counted ? block.value(letter) / per_unit : block.value(letter);
 }
 
+bool is_position_on_fanuc(int number) {
+  return (number >= 5001 && number <= 5008) || (number >= 5021 && number <= 5028) ||
+         (number >= 5041 && number <= 5048);
+}
+
+std::string_view meaning_on_fanuc(int number) {
+  const auto within = [number](int first, int last) { return number >= first && number <= last; };
+  if (within(1000, 1035)) return "an input";
+  if (within(1100, 1135)) return "an output";
+  if (within(2001, 2999)) return "a value of a tool";
+  if (number == 3000) return "an alarm";
+  if (number == 3006) return "a stop with a message";
+  if (number == 3001 || number == 3002) return "a clock";
+  if (number == 3003 || number == 3004) return "what an operator may do";
+  if (number == 3011 || number == 3012) return "date or time";
+  if (number == 3901 || number == 3902) return "a number of parts";
+  if (within(4001, 4130)) return "a modal code or value";
+  if (within(5081, 5088)) return "the tool length in force";
+  if (is_position_on_fanuc(number)) return "a position of an axis";
+  return {};
+}
+
 void refuse_thousandths(ActiveBlock& block, char letter, double largest, std::string_view what) {
   const bool whole = (block.words.whole & letter_bit(letter)) != 0;
   if (!block.has(letter) || !whole || block.words.rules.is_fanuc() || block.value(letter) < largest)

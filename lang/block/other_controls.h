@@ -36,4 +36,9 @@ struct BlockMeaning {
 // count such words in thousandths mean another one.
 void refuse_thousandths(ActiveBlock& block, char letter, double largest, std::string_view what);
 
+// What the parameter of this number is on controls of Fanuc that is a variable of the program in
+// the dialects stanok and linuxcnc. Empty: nothing, or the same here.
+[[nodiscard]] std::string_view meaning_on_fanuc(int number);
+[[nodiscard]] bool is_position_on_fanuc(int number);
+
 }  // namespace stanok::lang

@@ -163,6 +163,14 @@ struct ConstantJump {
   Span span;
 };
 
+// A parameter that is a variable here and has a meaning on controls of Fanuc.
+enum class ParameterAccess : std::uint8_t { read, set };
+struct ParameterUse {
+  int number = 0;
+  ParameterAccess access = ParameterAccess::read;
+  Span span;
+};
+
 // The code of one file. `spans` stands parallel to `code`.
 struct CompiledFile {
   explicit CompiledFile(Source text) : source(std::move(text)) {}
@@ -183,6 +191,7 @@ struct CompiledFile {
   std::vector<NumberedStatement> numbered_statements;
   std::vector<LoopCode> loops;
   std::vector<ConstantJump> jumps;
+  std::vector<ParameterUse> parameter_uses;
   BlockIndex block_index;                                 // empty: nothing jumps to numbers
   std::map<int, std::uint32_t> numbered_programs;         // O number -> instruction
   std::map<std::string, std::uint32_t> function_by_name;  // folded

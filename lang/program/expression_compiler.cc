@@ -1,8 +1,11 @@
 #include "lang/program/expression_compiler.h"
 
+#include <cmath>
 #include <utility>
 
+#include "lang/block/other_controls.h"
 #include "lang/block/predefined_parameter.h"
+#include "lang/text/number.h"
 #include "lang/tree/builtin.h"
 
 namespace stanok::lang {
@@ -217,6 +220,7 @@ ValueType ExpressionCompiler::compile_parameter(const Expression& parameter) {
     case Node::parameter:
     case Node::vacant_parameter:
       if (!require(parameter.children[0], Type::number, "the parameter number")) return {};
+      note_use(parameter, ParameterAccess::read);
       code_.emit(Op::parameter, parameter.span, 0, 0,
                  parameter.node == Node::vacant_parameter ? 1 : 0);
       return {Type::number, 0};
@@ -247,6 +251,17 @@ ValueType ExpressionCompiler::compile_parameter(const Expression& parameter) {
   }
   code_.emit(Op::r_parameter, parameter.span, static_cast<std::uint32_t>(parameter.number));
   return {Type::number, 0};
+}
+
+void ExpressionCompiler::note_use(const Expression& parameter, ParameterAccess access) {
+  const Expression& number = parameter.children[0];
+  constexpr double number_max = 9999.0;
+  const bool known = number.node == Node::number && is_integer(number.number) &&
+                     number.number >= 0.0 && number.number <= number_max;
+  if (!known || file_.source.rules().is_fanuc()) return;
+  const auto constant = static_cast<int>(std::lround(number.number));
+  if (meaning_on_fanuc(constant).empty()) return;
+  file_.parameter_uses.push_back({constant, access, parameter.span});
 }
 
 ValueType ExpressionCompiler::compile_axis(const Expression& axis) {

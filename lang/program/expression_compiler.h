@@ -34,6 +34,8 @@ class ExpressionCompiler {
   void compile_condition(const Expression& condition);
   // Array and indices on the stack; the element's type, unknown after an error.
   ValueType compile_element_address(const Expression& element);
+  // Notes that the text uses a parameter which is another thing on controls of Fanuc.
+  void note_use(const Expression& parameter, ParameterAccess access);
   [[nodiscard]] CallCompiler& calls() { return calls_; }
 
  private:

@@ -175,6 +175,7 @@ std::optional<SettingTarget> IsoCompiler::compile_setting(const ParameterSetting
   if (parameter.node == Node::parameter) {
     if (!expressions_.require(parameter.children[0], Type::number, "the parameter number"))
       return std::nullopt;
+    expressions_.note_use(parameter, ParameterAccess::set);
   } else if (parameter.node == Node::r_parameter) {
     target.kind = SettingTarget::Kind::r_parameter;
     target.slot = static_cast<std::uint32_t>(parameter.number);

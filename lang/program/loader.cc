@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lang/program/engraving.h"
+#include "lang/program/foreign_parameter.h"
 #include "lang/text/foreign_control.h"
 #include "lang/text/limits.h"
 #include "lang/text/number.h"
@@ -103,6 +104,7 @@ Expected<std::shared_ptr<const Program>, Diagnostics> Loader::load(std::string_v
   find_all_files();
   check_end(0);
   compile_all();
+  warn_of_foreign_parameters();
   return result();
 }
 
@@ -398,6 +400,14 @@ void Loader::compile_all() {
   for (std::size_t i = loaded_.size(); i-- > 0;) compilers[i]->declare_names(loaded_[i].tree);
   for (std::size_t i = 0; i < loaded_.size(); ++i) compilers[i]->compile(loaded_[i].tree);
   if (program_->jumps) find_jump_targets();
+}
+
+void Loader::warn_of_foreign_parameters() {
+  for (ForeignParameter& found : foreign_parameters(*program_)) {
+    loaded_[found.file]
+        .reporter->warning("W414", found.span, std::move(found.message), std::move(found.label))
+        .help = std::move(found.help);
+  }
 }
 
 void Loader::find_jump_targets() {

@@ -73,6 +73,7 @@ class Loader {
   void tell_foreign_control(FileIndex index);
   void compile_all();
   void find_jump_targets();
+  void warn_of_foreign_parameters();
   void check_jump(FileIndex index, const ConstantJump& jump);
   Expected<std::shared_ptr<const Program>, Diagnostics> result();
 

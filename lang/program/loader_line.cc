@@ -57,8 +57,10 @@ void Loader::check_line(std::string_view line) {
   const StatementList& tree = loaded_[0].tree;
   const std::size_t one = loaded_[0].includes_engraving ? 2 : 1;
   const Span whole{0, static_cast<std::uint32_t>(line.size()), 1};
-  if (is_o_line(line)) {
-    reporter.error("E2092", whole, "an O-line has no place in a single line", "write a program");
+  const bool calls = tree.size() == one && std::holds_alternative<OCall>(tree.back().kind);
+  if (is_o_line(line) && !calls) {
+    reporter.error("E2092", whole, "of the O-lines only `call` has a place in a single line",
+                   "write a program");
     return;
   }
   if (line.find_first_of("\n\r") != std::string_view::npos || tree.size() > one) {

@@ -21,6 +21,13 @@ void begin_as_linuxcnc(ModalState& modal) {
   modal.codes[Group::feed_mode] = g(94);
 }
 
+// G92 and G52, which LinuxCNC keeps behind M2 and M30, and from a line by hand into a program.
+void keep_shifts(ModalState& modal, const FrameSettings& of) {
+  modal.frames.local_shift = of.local_shift;
+  modal.frames.axis_shift = of.axis_shift;
+  modal.frames.axis_shift_active = of.axis_shift_active;
+}
+
 // The words of a block, with their spans, from its tree.
 std::vector<IsoWord> places_of_words(const Source& source, const Span& block_span) {
   auto block = Parser::parse_block(source, block_span);
@@ -52,8 +59,19 @@ void BlockRunner::reset() {
 
 void BlockRunner::begin(const AxisValues& position_B) {
   ModalState& modal = state_.modal;
-  modal = default_state(vm_.file().source.rules(), {standing_.tool.active, standing_.tool.edge});
+  const TextRules& rules = vm_.file().source.rules();
+  modal = default_state(rules, {standing_.tool.active, standing_.tool.edge});
+  if (rules.is_linuxcnc()) begin_in_standing_offsets(modal);
   modal.position_W = modal.frame().work_from_base(position_B);
+}
+
+// LinuxCNC drops no offset where a program begins: G55 and G92 by hand hold in it.
+void BlockRunner::begin_in_standing_offsets(ModalState& modal) const {
+  const FrameSettings& frames = standing_.frames;
+  keep_shifts(modal, frames);
+  if (frames.is_carried) return;
+  modal.codes[Group::work_offset] = standing_.codes[Group::work_offset];
+  take_work_offset(modal, state_.tables, frames.work_offset_number);
 }
 
 void BlockRunner::begin_line(const AxisValues& position_B) {
@@ -74,6 +92,13 @@ ModalState BlockRunner::default_state(const TextRules& rules, const ToolInPlace&
 void BlockRunner::stand_in_default() {
   standing_ =
       default_state(state_.channel.rules, {state_.modal.tool.active, state_.modal.tool.edge});
+}
+
+void BlockRunner::stand_behind_program(ProgramLeft left) {
+  const FrameSettings shifts = left == ProgramLeft::ended ? state_.modal.frames : standing_.frames;
+  const bool keeps = vm_.program().files[0]->source.rules().is_linuxcnc();
+  stand_in_default();
+  if (keeps) keep_shifts(standing_, shifts);
 }
 
 void BlockRunner::take_tool(const ToolInPlace& tool) {
@@ -252,6 +277,13 @@ BlockFlow BlockRunner::execute() {
     return {};
   }
   return select_stages(block, start_W) ? block.flow : BlockFlow{};
+}
+
+bool BlockRunner::take_words_before_call(CodeNumber m_code) {
+  ActiveBlock block = state_.block_at(place_.span.line);
+  lang::take_words_before_call(block, m_code);
+  if (block.faults.first) fail(std::move(*block.faults.first));
+  return !block.failed();
 }
 
 // What the block asks for whose commands come next; false: the run has failed.

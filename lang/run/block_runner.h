@@ -46,6 +46,10 @@ class BlockRunner {
   // The channel stands from here on in the modal state of now; in the default one.
   void stand_as_now() { standing_ = state_.modal; }
   void stand_in_default();
+  // The same behind a program; LinuxCNC keeps G92 and G52: of its end, or, where it was broken off
+  // with blocks read that were not executed, of before its start.
+  enum class ProgramLeft { ended, broken_off };
+  void stand_behind_program(ProgramLeft left);
   // The machine has this tool in place; a run begins with it.
   void take_tool(const ToolInPlace& tool);
   // An operator has changed these rows: what stands of them is as they are now.
@@ -59,6 +63,8 @@ class BlockRunner {
   // Where the commands of the block just read come from, and at which call it stands.
   void begin_block();
   [[nodiscard]] BlockFlow execute();
+  // Before the block calls the program of its M code; false when the run has failed.
+  [[nodiscard]] bool take_words_before_call(CodeNumber m_code);
   // The block is to be executed again, from where it waited for an answer. Asked once.
   [[nodiscard]] bool take_rest() { return std::exchange(has_rest_, false); }
   void fail(BlockFault fault);
@@ -102,6 +108,7 @@ class BlockRunner {
   bool take_computed_word(const ComputedWord& word);
   void leave_out(const ComputedWord& word);
   void fail_text(std::string_view text, std::uint32_t line, const ValueFault& fault);
+  void begin_in_standing_offsets(ModalState& modal) const;
   [[nodiscard]] bool select_stages(const ActiveBlock& block, const AxisValues& start_W);
   void fail_earlier(FaultOfCommand fault);
   [[nodiscard]] Passed adopt_words(ActiveBlock& block);

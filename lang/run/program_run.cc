@@ -136,7 +136,8 @@ Step ProgramRun::advance(Command& command, int& work) {
 // The channel stands as a line had it before the statement that failed; behind a program as behind
 // its end; a search has moved nothing.
 void ProgramRun::break_off() {
-  if (!line_runs_ && !stop_.active()) blocks_.stand_in_default();
+  if (!line_runs_ && !stop_.active())
+    blocks_.stand_behind_program(BlockRunner::ProgramLeft::broken_off);
 }
 
 // A line of plain code. True: it is one command, which is all that there is of it.
@@ -199,6 +200,8 @@ void ProgramRun::execute_block() {
   if (auto fault = check_macro_block(state_.words, *macro)) {
     return blocks_.fail(std::move(*fault));
   }
+  const bool is_m_code = macro->letter == 'M' && macro->user_code != nullptr;
+  if (is_m_code && !blocks_.take_words_before_call(static_cast<CodeNumber>(macro->number))) return;
   calls_.call_macro(*macro);
 }
 
@@ -273,7 +276,7 @@ void ProgramRun::end_program(ProgramEndKind kind) {
   }
   if (!ends_like_text) macro_requests_.count_part();
   blocks_.emit_end(kind);
-  if (!stop_.active()) blocks_.stand_in_default();
+  if (!stop_.active()) blocks_.stand_behind_program(BlockRunner::ProgramLeft::ended);
 }
 
 Step ProgramRun::deliver(CommandQueue& queue, Command& command) {

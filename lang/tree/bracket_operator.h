@@ -91,14 +91,14 @@ inline constexpr auto bracket_functions = std::to_array<BracketFunction>({{"abs"
                                                                           {"tan", "tan"}});
 
 // What the Fanuc dialect has instead and besides, with the abbreviations of B-63944EN, 16.8. ATAN
-// of one value is "atan".
+// of one value is "atan". POW[a,b] and ATAN[a,b]: B-64304EN, 16.3.
 inline constexpr auto macro_functions = std::to_array<BracketFunction>(
-    {{"asin", "asin", true}, {"atan", "atan2", true}, {"bcd", "to_bcd"},     {"bin", "from_bcd"},
-     {"fix", "trunc"},       {"fup", "round_away"},   {"sqr", "sqrt"},       {"ab", "abs"},
-     {"ac", "acos"},         {"as", "asin", true},    {"at", "atan2", true}, {"bc", "to_bcd"},
-     {"bi", "from_bcd"},     {"co", "cos"},           {"ex", "exp"},         {"fi", "trunc"},
-     {"fu", "round_away"},   {"ro", "round"},         {"si", "sin"},         {"sq", "sqrt"},
-     {"ta", "tan"}});
+    {{"pow", "pow"},      {"asin", "asin", true}, {"atan", "atan2", true}, {"bcd", "to_bcd"},
+     {"bin", "from_bcd"}, {"fix", "trunc"},       {"fup", "round_away"},   {"sqr", "sqrt"},
+     {"ab", "abs"},       {"ac", "acos"},         {"as", "asin", true},    {"at", "atan2", true},
+     {"bc", "to_bcd"},    {"bi", "from_bcd"},     {"co", "cos"},           {"ex", "exp"},
+     {"fi", "trunc"},     {"fu", "round_away"},   {"ro", "round"},         {"si", "sin"},
+     {"sq", "sqrt"},      {"ta", "tan"}});
 
 // The row of a function by its folded name, or nullptr.
 [[nodiscard]] constexpr const BracketFunction* find_bracket_function(std::string_view name,

@@ -17,6 +17,12 @@ Expression call_of(std::string_view function, const Span& span, Expression argum
   return call;
 }
 
+// Brought to 0 to 360 deg.
+Expression wrapped(Expression angle) {
+  const Span span = angle.span;
+  return call_of("wrap360", span, std::move(angle));
+}
+
 Expression binary(Operation operation, Expression left, Expression right) {
   Expression made;
   made.node = Node::binary;
@@ -150,15 +156,19 @@ MaybeExpression BracketParser::parse_bracket() {
   const std::uint32_t line = scanner_.line();
   scanner_.advance(1);
   auto inner = parse_bracket_binary(0);
-  if (!inner) return std::nullopt;
+  if (!inner || !close_bracket()) return std::nullopt;
+  inner->span = scanner_.span_from(start, line);
+  return inner;
+}
+
+bool BracketParser::close_bracket() {
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() != ']') {
     cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "an operator or `]`");
-    return std::nullopt;
+    return false;
   }
   scanner_.advance(1);
-  inner->span = scanner_.span_from(start, line);
-  return inner;
+  return true;
 }
 
 MaybeExpression BracketParser::parse_bracket_binary(int level) {
@@ -234,6 +244,8 @@ MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
     cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`[` after the function");
     return std::nullopt;
   }
+  const bool may_have_two = function == "atan2" || function == "pow";
+  if (may_have_two && source_.rules().is_fanuc()) return parse_function_of_two(row, name_span);
   auto argument = parse_bracket();
   if (!argument) return std::nullopt;
   const bool to_increment = function == "round" && word_ != 0 && source_.rules().is_fanuc() &&
@@ -257,10 +269,33 @@ MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
     reporter_.error("E2001", call.span, "EXISTS takes a named parameter", "write EXISTS[#<name>]");
     return std::nullopt;
   }
-  const Span span = call.span;
-  MaybeExpression made = function == "atan2" ? parse_arc_tangent(std::move(call)) : std::move(call);
-  if (!made || !row.wraps || made->text == "atan") return made;
-  return call_of("wrap360", span, std::move(*made));
+  if (function == "atan2") return parse_arc_tangent(std::move(call));
+  return row.wraps ? wrapped(std::move(call)) : std::move(call);
+}
+
+// POW[a,b], ATAN[a,b], and ATAN[a] with or without /[b].
+MaybeExpression BracketParser::parse_function_of_two(const BracketFunction& row,
+                                                     const Span& name_span) {
+  scanner_.advance(1);
+  auto first = parse_bracket_binary(0);
+  if (!first) return std::nullopt;
+  Expression call = call_of(row.function, joined(name_span, first->span), std::move(*first));
+  scanner_.skip_blanks(LineEnds::significant);
+  const bool has_two = scanner_.character() == ',';
+  if (!has_two && row.function == "pow") {
+    cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`,` and the exponent");
+    return std::nullopt;
+  }
+  if (has_two) {
+    scanner_.advance(1);
+    auto second = parse_bracket_binary(0);
+    if (!second) return std::nullopt;
+    call.span = joined(call.span, second->span);
+    call.children.push_back(std::move(*second));
+  }
+  if (!close_bracket()) return std::nullopt;
+  MaybeExpression made = has_two ? std::move(call) : parse_arc_tangent(std::move(call));
+  return made && row.wraps && made->text != "atan" ? wrapped(std::move(*made)) : std::move(made);
 }
 
 // ATAN[a]/[b]; in the Fanuc dialect also of one value.

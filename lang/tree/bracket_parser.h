@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "lang/tree/bracket_operator.h"
 #include "lang/tree/token_cursor.h"
 
 namespace stanok::lang {
@@ -38,6 +39,8 @@ class BracketParser {
   MaybeExpression parse_bracket_binary(int level);
   MaybeExpression parse_bracket_function(std::string_view name);
   MaybeExpression parse_arc_tangent(Expression call);
+  MaybeExpression parse_function_of_two(const BracketFunction& row, const Span& name_span);
+  [[nodiscard]] bool close_bracket();
   bool refuse_chain(const Token& comparison);
   [[nodiscard]] Expression rounded_to_increment(Expression argument, const Span& span) const;
 

@@ -23,6 +23,13 @@ bool is_macro_call(const IsoBlock& block) {
   });
 }
 
+// M98, M198, G65 and their like.
+bool calls_by_number(const IsoBlock& block) {
+  return is_macro_call(block) || std::ranges::any_of(block.words, [](const IsoWord& word) {
+           return word.name.letter == 'M' && (word.name.code == m(98) || word.name.code == m(198));
+         });
+}
+
 }  // namespace
 
 bool IsoParser::is_named_address(std::string_view name) const {
@@ -123,7 +130,13 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
         .help.push_back("a comment stands in parentheses, `(text)`, or behind `;`");
     return false;
   }
-  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a word");
+  Diagnostic& unexpected =
+      cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "a word");
+  if (c == '<' && calls_by_number(block)) {
+    unexpected.help.emplace_back(
+        "programs are called by their number here: `M98 P200` is O200, or the file O0200.nc; "
+        "`call (\"NAME.nc\");` calls a file by its name");
+  }
   return false;
 }
 
@@ -407,6 +420,7 @@ bool IsoParser::begins_variable() const {
   while (is_name_start(scanner_.character(name.size())) ||
          is_digit(scanner_.character(name.size())))
     name += scanner_.character(name.size());
+  if (folded(name) == "pow") return scanner_.character(name.size()) != '[';
   return name.size() > 1 && is_name_start(name[1]) && !is_bracket_function(folded(name));
 }
 

@@ -6,9 +6,11 @@
 #include <string_view>
 #include <utility>
 
+#include "lang/block/other_controls.h"
 #include "lang/block/predefined_parameter.h"
 #include "lang/text/block_number.h"
 #include "lang/text/limits.h"
+#include "lang/text/number.h"
 #include "lang/tree/keywords.h"
 #include "lang/tree/plain_block.h"
 #include "lang/tree/text_value.h"
@@ -90,7 +92,11 @@ class UnknownParameters : public Parameters {
   bool are_known() const override { return false; }
   bool is_at_hand(double number) const override {
     constexpr double system_variable_first = 1000.0;
-    return !rules_.is_fanuc() || number < system_variable_first;
+    constexpr double system_variable_last = 9999.0;
+    if (number < system_variable_first) return true;
+    if (rules_.is_fanuc()) return false;
+    const bool is_one = is_integer(number) && number <= system_variable_last;
+    return !is_one || meaning_on_fanuc(static_cast<int>(std::lround(number))).empty();
   }
   std::optional<std::uint32_t> slot_to_set(const std::string& name) override {
     if (names_ == nullptr || find_predefined_parameter(name) != nullptr) return std::nullopt;

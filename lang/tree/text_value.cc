@@ -258,6 +258,7 @@ TextValues::MaybeValue TextValues::function() {
   if (row == nullptr) return std::nullopt;
   // ROUND of a word goes by the increment of its address there: left to the parser.
   if (in_word_ && rules_.is_fanuc() && function->name == "round") return std::nullopt;
+  if (function->name == "pow") return std::nullopt;  // of two values in one pair of brackets
   at_ += name.size();
   std::array<Value, 2> arguments;
   const std::size_t count = row->arguments.size();

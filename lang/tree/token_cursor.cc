@@ -36,7 +36,7 @@ bool TokenCursor::expect(std::string_view symbol, std::string_view after) {
   return false;
 }
 
-void TokenCursor::report_unexpected(const Token& token, std::string_view expected) {
+Diagnostic& TokenCursor::report_unexpected(const Token& token, std::string_view expected) {
   const std::string found =
       token.kind == TokenKind::end
           ? (scanner_.at_end() ? "the end of the text" : "the end of the line")
@@ -47,6 +47,7 @@ void TokenCursor::report_unexpected(const Token& token, std::string_view expecte
       reporter_.error("E2001", span, "expected " + std::string(expected) + ", found " + found,
                       "expected " + std::string(expected));
   if (token.is("=")) diagnostic.help.push_back("to compare, write `==`");
+  return diagnostic;
 }
 
 bool TokenCursor::check_length(std::size_t start, std::uint32_t line) {

@@ -53,7 +53,7 @@ class TokenCursor {
 
   bool accept(std::string_view symbol);
   bool expect(std::string_view symbol, std::string_view after);
-  void report_unexpected(const Token& token, std::string_view expected);
+  Diagnostic& report_unexpected(const Token& token, std::string_view expected);
   // Ends a statement that ends with its line.
   bool finish_line();
   // Whether the statement (or its head) from `start` to here is short enough; reports it else.

@@ -96,6 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"no_lead", "lathe.toml", TURN "G33 Z-20\nM30\n", "E4066", 3},
         FaultCase{"negative_lead", "lathe.toml", TURN "G33 Z-20 K-2\nM30\n", "E4066", 3},
         FaultCase{"no_way", "lathe.toml", TURN "G33 Z5 K2\nM30\n", "E4067", 3},
+        FaultCase{"tap_on_a_slant", "mill3.toml",
+                  "G94 S300 M3\nG0 X0 Y0 Z5\nG33.1 X10 Y0 Z-10 K0.7\nM30\n", "E4070", 3},
         FaultCase{"standing", "lathe.toml", "G18 G7\nG0 X32 Z5\nG33 Z-20 K2\nM30\n", "E4064", 3},
         FaultCase{"g78_without_lead", "lathe.toml", TURN "G78 X29 Z-20\nM30\n", "E4066", 3},
         FaultCase{"g76_without_lead", "lathe.toml", TURN "G76 X27.5 Z-20 P1.2 Q0.4\nM30\n", "E4007",

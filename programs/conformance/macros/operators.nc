@@ -25,6 +25,11 @@ X#1
 #1=ATAN[1]
 X#1
 ; expect: rapid X45
+; B-64304EN, 16.3: two values parted by a comma.
+#2=ATAN[-1, -1]
+#3=[AT[1,0]+POW[2,3]]
+X#2 Y#3 Z[POW[#1-43,-1]]
+; expect: rapid X225 Y98 Z0.5
 #1=ASIN[-0.5]
 X#1
 ; expect: rapid X330

@@ -195,6 +195,15 @@ TEST_F(DiagnosticsTest, NameWhatTheMachineFileCanMakeOfAnUnknownCode) {
   EXPECT_THAT(errors[1].help, ElementsAre(Not(HasSubstr("output"))));
 }
 
+TEST_F(DiagnosticsTest, SayWhatDoesWhatAnotherControlHas) {
+  ASSERT_EQ(error_code("(dialect haas)\nG254\nM30\n"), "E4004");
+  EXPECT_THAT(error.help, ::testing::Contains(HasSubstr("G54.2 P1")));
+  ASSERT_EQ(error_code("(dialect fanuc)\nM98 <SUB>\nM30\n"), "E2001");
+  EXPECT_THAT(error.help, ElementsAre(HasSubstr("by their number")));
+  ASSERT_EQ(error_code("(dialect fanuc)\nG0 <SUB>\nM30\n"), "E2001");
+  EXPECT_TRUE(error.help.empty());
+}
+
 TEST_F(DiagnosticsTest, KeepTheMotionBeforeTheFaultyBlock) {
   run("G0 X1\nX2\nT9 X3\nX4\nM30\n");
   EXPECT_EQ(error.code, "E5021");

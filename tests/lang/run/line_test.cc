@@ -119,6 +119,49 @@ TEST_F(LineTest, AProgramBetweenBringsTheDefaultStateBack) {
   EXPECT_EQ(end_x(), 1.0);
 }
 
+// LinuxCNC, M-Codes: M2 sets G54 and leaves G92; nothing else ends either (Coordinate Systems, G92
+// persistence). X7 is where it stood when G92 X7 was typed.
+TEST_F(LineTest, AProgramOfLinuxcncBeginsInTheOffsetsOfBefore) {
+  tables.offsets[2] = AxisValues{100.0};
+  files.texts["cnc.ngc"] = "(dialect linuxcnc)\nG0 X7\nM2\n";
+  files.texts["shift.ngc"] = "(dialect linuxcnc)\nG0 X7\nG92 X1\nM2\n";
+  files.texts["stanok.nc"] = "G0 X7\nM2\n";
+  const auto end_of = [&](const std::string& name) {
+    auto program = compile(name, files, &channel, warnings);
+    interpreter->start(*program, position_B);
+    commands.clear();
+    drain();
+    return all<FrameChange>().front().offset[0] + end_x();
+  };
+  enter("G55");
+  enter("G92 X7");
+  EXPECT_EQ(end_of("cnc.ngc"), 0.0);
+  EXPECT_EQ(end_of("cnc.ngc"), -100.0) << "G54 and the shift of -107";
+  EXPECT_EQ(interpreter->standing().frame.offset[0], -107.0);
+  enter("G0 X7");
+  EXPECT_EQ(interpreter->standing().frame.offset[0], -107.0);
+  position_B[0] = -100.0;
+  EXPECT_EQ(end_of("shift.ngc"), -100.0);
+  EXPECT_EQ(end_of("cnc.ngc"), -94.0) << "X1 stands at -100";
+  EXPECT_EQ(end_of("stanok.nc"), 7.0);
+  EXPECT_EQ(end_of("cnc.ngc"), 7.0) << "the program of another dialect has ended the shift";
+  enter("G92 X1");
+  interpreter->reset({});
+  EXPECT_EQ(end_of("cnc.ngc"), 7.0);
+}
+
+// What was read ahead and not executed shifts nothing.
+TEST_F(LineTest, AProgramOfLinuxcncThatIsBrokenOffLeavesTheShiftOfBefore) {
+  files.texts["shift.ngc"] = "(dialect linuxcnc)\nG92 X50\nG1 X7\nM2\n";
+  enter("G92 X7");
+  auto program = compile("shift.ngc", files, &channel, warnings);
+  interpreter->start(*program, position_B);
+  drain();
+  EXPECT_NE(error.code, "") << "G1 without a feed";
+  interpreter->break_off();
+  EXPECT_EQ(interpreter->standing().frame.offset[0], -7.0);
+}
+
 TEST_F(LineTest, AResetBringsTheDefaultStateBack) {
   enter("G91 G20");
   interpreter->reset({});
@@ -152,6 +195,24 @@ TEST_F(LineTest, FunctionsOfTheLoadedProgramAndItsIncludesCanBeCalled) {
   EXPECT_EQ(end_x(), 8.0);
 }
 
+// As by MDI on LinuxCNC.
+TEST_F(LineTest, OSubprogramsOfFilesAndOfTheLoadedProgramCanBeCalled) {
+  files.texts["mac.ngc"] = "O<mac> sub\nG91 G0 X#1\nG90\nO<mac> endsub\nM2\n";
+  files.texts["100.ngc"] = "O100 sub\nG0 X100\nO100 endsub\n";
+  enter("O<mac> call [3]");
+  EXPECT_EQ(error.code, "");
+  EXPECT_EQ(end_x(), 3.0);
+  EXPECT_EQ(all<ProgramEnd>().at(0).kind, ProgramEndKind::end_of_line);
+  enter("o100 CALL");
+  EXPECT_EQ(end_x(), 100.0);
+  load("O<own> sub\nG0 X7\nO<own> endsub\nG0 X99\nM30\n");
+  enter("o<own> call");
+  EXPECT_EQ(end_x(), 7.0);
+  EXPECT_THAT(codes_of("O<no> call"), ElementsAre("E7005"));
+  EXPECT_THAT(codes_of("O<mac> call [1] G0 X1"), Not(IsEmpty()));
+  EXPECT_THAT(codes_of("O<mac> call [1]\nG0 X1"), Not(IsEmpty()));
+}
+
 TEST_F(LineTest, TheTextsAreThoseOfTheLoad) {
   load("void go () { G0 X1\n }\nM30\n");
   files.texts["main.nc"] = "void go () { G0 X2\n }\nM30\n";
@@ -183,7 +244,8 @@ TEST_F(LineTest, WhatBelongsIntoAProgramIsRefused) {
   files.texts["lib.nc"] = "M99\n";
   EXPECT_THAT(codes_of("#include \"lib.nc\""), ElementsAre("E2092"));
   EXPECT_THAT(codes_of("void hole () { }"), ElementsAre("E2092"));
-  EXPECT_THAT(codes_of("O100 call"), ElementsAre("E2092", "E7005"));
+  EXPECT_THAT(codes_of("O100 sub"), ::testing::Contains("E2092"));
+  EXPECT_THAT(codes_of("O100 if [1]"), ::testing::Contains("E2092"));
   EXPECT_THAT(codes_of("channel_wait (2);"), ElementsAre("E2092"));
   EXPECT_THAT(codes_of("if (channel_wait (2)) { M0\n }"), ::testing::Contains("E2091"));
 }

@@ -210,6 +210,53 @@ TEST_F(Subprograms, CallsMacrosOfTheMachineFile) {
   EXPECT_EQ(error_code("G201 X1\nM30\n"), "E4004");
 }
 
+// The way every CAM system writes a tool change; with a T of its own in the program it stays so.
+TEST_F(Subprograms, TakesTheToolOfItsBlockBeforeAProgramForM6) {
+  files.texts["change.nc"] = "G53 G0 Z100\nM6\nmsg (str (arg (\"T\")));\nM99\n";
+  map("M6", "change.nc");
+  tables.tools[5] = {5, {}, 0.0};
+  tables.tools[7] = {7, {}, 0.0};
+  EXPECT_EQ(messages("T5 M6\nM6 T7\nT5\nG0 X1\nM6 T7\nM30\n"), (Texts{"5", "7", "7"}));
+  std::vector<int> prepared;
+  std::vector<int> changed;
+  for (const ToolPrepare& one : all<ToolPrepare>()) prepared.push_back(one.tool);
+  for (const ToolChange& one : all<ToolChange>()) changed.push_back(one.tool);
+  EXPECT_EQ(prepared, (std::vector<int>{5, 7, 5, 7}));
+  EXPECT_EQ(changed, (std::vector<int>{5, 7, 7}));
+  ASSERT_GE(commands.size(), 3u);
+  EXPECT_TRUE(std::holds_alternative<ToolPrepare>(commands[0].payload));
+  EXPECT_TRUE(std::holds_alternative<Move>(commands[1].payload));
+  EXPECT_TRUE(std::holds_alternative<ToolChange>(commands[2].payload));
+  EXPECT_EQ(error_code("T6 M6\nM30\n"), "E5021");
+  EXPECT_EQ(error.place.line, 1);
+  EXPECT_EQ(error_code("M6\nM30\n"), "E4051");
+}
+
+TEST_F(Subprograms, TakesTheSpeedOfItsBlockBeforeAProgramForM3) {
+  files.texts["start.nc"] = "M3\nM99\n";
+  map("M3", "start.nc");
+  run("S500 M3\nM30\n");
+  EXPECT_EQ(error.code, "") << to_text(error);
+  const auto list = all<SpindleCommand>();
+  ASSERT_GE(list.size(), 2u);
+  EXPECT_EQ(list[0].action, SpindleAction::set_speed);
+  EXPECT_EQ(list[1].action, SpindleAction::clockwise);
+  EXPECT_EQ(list[1].speed_rev_per_min, 500.0);
+}
+
+// Where the T word itself changes the tool, the program must come first.
+TEST_F(Subprograms, LeavesTheToolToAProgramForM6WhereTChangesIt) {
+  files.texts["change.nc"] = "G0 X9\nT=arg (\"T\")\nM99\n";
+  map("M6", "change.nc");
+  channel.kind = ChannelKind::lathe;
+  channel.axes = {{"X", false, 0.0, 0}, {"Z", false, 0.0, 2}};
+  tables.tools[5] = {5, {}, 0.0};
+  run("T5 M6\nM30\n");
+  ASSERT_GE(commands.size(), 2u);
+  EXPECT_TRUE(std::holds_alternative<Move>(commands[0].payload));
+  EXPECT_TRUE(std::holds_alternative<ToolPrepare>(commands[1].payload));
+}
+
 TEST_F(Subprograms, SendsMachineFunctionsInTheOrderOfTheirClass) {
   map("M101", "after");
   map("M102", "before");
