@@ -291,11 +291,11 @@ Verdict OperatorDesk::touch(const Channel& channel, const commands::ToolTouch& c
   if (found == lengths.end()) return refusal("E5021", "there is no such length of a tool");
   const auto place = static_cast<std::size_t>(found - lengths.begin());
   const kinematics::Transform& frame = channel.motion.frame();
-  const int axis = frame.frame.geometry.at(place);
+  const int axis = frame.frame.geometry[place];
   if (axis < 0) return refusal("E5021", "the channel has no axis for this length");
   const double in_force = -frame.tool.nose_to_tip_mm[static_cast<Eigen::Index>(place)];
   const double stands_at = channel.motion.path().point[axis].value;
-  const int wear = tool_value_named(wears.at(place));
+  const int wear = tool_value_named(wears[place]);
   const double worn =
       wear == 0 ? 0.0 : stores_.tables->tool_value(command.tool, command.edge, wear).value_or(0.0);
   return set_tool({.key = command.key,

@@ -25,4 +25,10 @@ void Settling::ask(const Stand& stand) RT_SAFE {
   is_asked_ = true;
 }
 
+void Settling::ask_at_start(const Stand& stand) {
+  is_asked_ = false;
+  want({.all = true});
+  ask(stand);
+}
+
 }  // namespace stanok::channels

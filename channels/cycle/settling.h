@@ -20,6 +20,8 @@ class Settling {
   void want(const lang::ChangedRows& rows) RT_SAFE;
   // The channel is at rest, and stands so.
   void ask(const Stand& stand) RT_SAFE;
+  // Before the first cycle, whatever was asked before.
+  void ask_at_start(const Stand& stand);
   // The preparation has answered; a reset answers whatever was asked before.
   void finish() RT_SAFE { is_asked_ = false; }
 

@@ -126,6 +126,14 @@ struct Machine::Parts {
     coordinator = std::make_unique<Coordinator>(
         channels, owner_rules(machine), machine.cycle_us * 1e-6, ReplyRings{replies, stop_replies},
         MachineStores{&shared, &tables, &watch.signals()});
+    for (const auto& seat : seats) settle_at_start(*seat);
+  }
+
+  // Before the first cycle, so that its output shows how the channel stands.
+  static void settle_at_start(Seat& seat) {
+    seat.channel.items().settling().ask_at_start(seat.channel.items().stand());
+    while (seat.preparation.step() != Progress::blocked) {
+    }
   }
 
   // Reports of runs and alarms that found no place.
@@ -178,6 +186,7 @@ bool Machine::select_scheme_at_start(int channel, int scheme) {
   for (const auto& seat : parts_->seats) {
     if (seat->channel.id() != channel || seat->channel.schemes.find(scheme) == nullptr) continue;
     seat->channel.motion.select_scheme(scheme);
+    Parts::settle_at_start(*seat);
     parts_->coordinator->settle_owners();
     if (seat->channel.state().is_powered()) seat->channel.power(Power::on);
     return true;

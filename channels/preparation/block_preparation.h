@@ -74,7 +74,7 @@ class BlockPreparation {
   [[nodiscard]] motion::Point base_of(const motion::Point& axes_M) const;
 
   // The path goes on from where the axes stand, in the current frame.
-  void go_on_from(const motion::Point& axes_M) { stand_at(axes_M); }
+  void stand_at(const motion::Point& axes_M);
 
   // The block of a move, or why it cannot be made; the position moves to its end. `tag` goes into
   // the block.
@@ -100,7 +100,6 @@ class BlockPreparation {
   [[nodiscard]] bool is_on_face() const;
   [[nodiscard]] double face_axis_at(const motion::PathBlock& block, double part) const;
   [[nodiscard]] double face_turn(const motion::PathBlock& block, double from, double to) const;
-  void stand_at(const motion::Point& axes_M);
   [[nodiscard]] std::optional<Diagnostic> refuse_pole(const motion::PathBlock& block) const;
   [[nodiscard]] motion::Point end_of(const lang::Move& move) const;
   [[nodiscard]] std::array<int, 2> plane_axes(lang::Plane plane) const;

@@ -71,7 +71,6 @@ class PathFeed {
 
   [[nodiscard]] BlockPreparation& blocks() { return blocks_; }
   [[nodiscard]] const BlockPreparation& blocks() const { return blocks_; }
-  [[nodiscard]] std::uint32_t run() const { return run_; }
   [[nodiscard]] std::uint64_t blocks_executed() const { return blocks_executed_; }
   [[nodiscard]] motion::BlockTag tag_of(const lang::Command& command) const;
   // Of a line of the program that no command stands for.

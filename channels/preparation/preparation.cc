@@ -158,7 +158,7 @@ void Preparation::obey(const RequestAnswer& notice) {
   }
   answer.probe_B = blocks.base_of(told.probe_M);
   if (told.left_path) {
-    blocks.go_on_from(notice.axes_M);
+    blocks.stand_at(notice.axes_M);
     parts_.feed.give_transform();
   }
   answer.position_B = blocks.position_B();
@@ -296,7 +296,7 @@ bool Preparation::take(const lang::Command& command) {
 }
 
 void Preparation::fail(const Diagnostic& diagnostic, const motion::BlockTag& tag) {
-  parts_.reports.explain(parts_.config.id, parts_.feed.run(), diagnostic);
+  parts_.reports.explain(parts_.config.id, tag.run, diagnostic);
   parts_.interpreter.break_off();
   settle_feed();
   parts_.feed.give({.tag = tag,

@@ -104,7 +104,7 @@ SearchRunner::Result SearchRunner::fail(const Diagnostic& fault) {
 SearchRunner::Result SearchRunner::arrive() {
   if (const auto obstacle = obstacle_at_target()) return fail(*obstacle);
   const motion::Point target = parts_.feed.blocks().position_W();
-  parts_.feed.blocks().go_on_from(search_->axes_M);
+  parts_.feed.blocks().stand_at(search_->axes_M);
   if (search_->stage == ProgramSearch::Stage::run) {
     approach(target);
     return Result::entered;

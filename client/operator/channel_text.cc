@@ -18,13 +18,42 @@ using nlohmann::json;
 constexpr double s_per_min = 60.0;
 
 // What the text is made of; all other members are shown by their names.
-constexpr auto understood = std::to_array<std::string_view>(
-    {"id",           "name",        "words",        "axis_names",  "state",     "program_status",
-     "held_by",      "alarm",       "program",      "run",         "line",      "block",
-     "scheme",       "position",    "to_go",        "axes",        "feed_mm_s", "speed_mm_s",
-     "feed_mm_min",  "feed_mm_rev", "speed_mm_min", "override",    "g_codes",   "m_codes",
-     "tool",         "spindles",    "begins_at",    "remaining_s", "foreseen",  "predicted_s",
-     "controlled_by"});
+constexpr auto understood = std::to_array<std::string_view>({"id",
+                                                             "name",
+                                                             "words",
+                                                             "axis_names",
+                                                             "state",
+                                                             "program_status",
+                                                             "held_by",
+                                                             "alarm",
+                                                             "program",
+                                                             "run",
+                                                             "line",
+                                                             "block",
+                                                             "scheme",
+                                                             "position",
+                                                             "to_go",
+                                                             "axes",
+                                                             "feed_mm_s",
+                                                             "speed_mm_s",
+                                                             "feed_mm_min",
+                                                             "feed_mm_rev",
+                                                             "speed_mm_min",
+                                                             "override",
+                                                             "g_codes",
+                                                             "m_codes",
+                                                             "tool",
+                                                             "spindles",
+                                                             "begins_at",
+                                                             "remaining_s",
+                                                             "foreseen",
+                                                             "predicted_s",
+                                                             "controlled_by",
+                                                             "file",
+                                                             "situation",
+                                                             "units",
+                                                             "diameter",
+                                                             "point_W"});
 
 json member(const json& object, const char* name) {
   return object.is_object() ? object.value(name, json()) : json();
@@ -113,8 +142,12 @@ std::string tool_text(const json& tool) {
          ", edge " + text(tool, "edge");
 }
 
+// The line may be one of a file that the program calls or includes.
 std::string program_text(const json& status) {
   std::string line = text(status, "program");
+  const bool is_elsewhere =
+      has(status, "file") && member(status, "file") != member(status, "program");
+  if (is_elsewhere) line += " in " + text(status, "file");
   if (number(status, "line") != 0.0) line += ":" + text(status, "line");
   if (number(status, "block") != 0.0) line += "  block " + text(status, "block");
   if (has(status, "remaining_s"))
@@ -140,6 +173,14 @@ std::string drive_word(const json& axis) {
   return word;
 }
 
+// "X", or "X Ø" where the word is a diameter.
+std::string shown_word(const json& status, const std::string& word) {
+  const json diameters = member(status, "diameter");
+  const bool is_diameter =
+      std::any_of(diameters.begin(), diameters.end(), [&](const json& one) { return one == word; });
+  return is_diameter ? word + " Ø" : word;
+}
+
 std::string axis_table(const json& status, const Terminal& terminal) {
   const json axes = member(status, "axes");
   const json position = member(status, "position");
@@ -150,7 +191,7 @@ std::string axis_table(const json& status, const Terminal& terminal) {
   for (std::size_t k = 0; k < words.size(); ++k) {
     const std::string name = k < names.size() ? names[k] : words[k];
     const json axis = member(axes, name.c_str());
-    table.add_row({words[k] + (name == words[k] ? "" : " = " + name),
+    table.add_row({shown_word(status, words[k]) + (name == words[k] ? "" : " = " + name),
                    coordinate(position[words[k]]),
                    coordinate(member(member(status, "to_go"), words[k].c_str())),
                    coordinate(member(axis, "position")), drive_word(axis)});
@@ -227,7 +268,7 @@ std::string position_text(const json& status) {
   const json position = member(status, "position");
   std::string line;
   for (const std::string& word : names_in_order(member(status, "words"), position))
-    line += (line.empty() ? "" : "  ") + word + " " + cell_text(position[word]);
+    line += (line.empty() ? "" : "  ") + shown_word(status, word) + " " + cell_text(position[word]);
   return line.empty() ? "-" : line;
 }
 

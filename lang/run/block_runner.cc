@@ -50,6 +50,7 @@ BlockRunner::BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStor
 void BlockRunner::reset() {
   state_.queue.clear();
   delivered_ = {};
+  written_offset_ = 0;
   corners_.reset();
   compensation_.reset();
   state_.states.clear();
@@ -334,8 +335,16 @@ void BlockRunner::adopt_position(const AxisValues& position_B) {
   compensation_.adopt_position();
 }
 
-void BlockRunner::read_work_offset_again() {
+void BlockRunner::note_delivered(const Payload& command) {
+  if (const auto* const length = std::get_if<ToolLength>(&command)) delivered_ = *length;
+  const auto* const request = std::get_if<Request>(&command);
+  if (request != nullptr && request->kind == RequestKind::offset_table_write)
+    written_offset_ = request->number;
+}
+
+void BlockRunner::take_written_offset() {
   ModalState& modal = state_.modal;
+  if (std::exchange(written_offset_, 0) != modal.frames.work_offset_number) return;
   const WorkFrame before = modal.frame();
   take_work_offset(modal, state_.tables, modal.frames.work_offset_number);
   if (modal.frame() == before) return;

@@ -79,12 +79,12 @@ class BlockRunner {
   // A move with `,C` or `,R` waits for the next one.
   [[nodiscard]] bool holds_corner() const { return corners_.holds(); }
 
-  // The channel has been given this length: the positions that it tells are those of its tip.
-  void note_delivered(const ToolLength& length) { delivered_ = length; }
+  // The channel has been given this: of a length the positions that it tells are those of its tip.
+  void note_delivered(const Payload& command);
   // The channel tells that the axes stand at `position_B`, or at least the queue is empty.
   void adopt_position(const AxisValues& position_B);
-  // The row of the active work offset was written by the program itself.
-  void read_work_offset_again();
+  // The active work offset is the one that the program itself has written, where it has.
+  void take_written_offset();
   void take_probe_answer(const Answer& answer);
 
   // What M2 and M30 reset, as commands before the end itself.
@@ -116,8 +116,9 @@ class BlockRunner {
   [[nodiscard]] ModalState default_state(const TextRules& rules, const ToolInPlace& tool) const;
 
   BlockState& state_;
-  ModalState standing_;   // while nothing runs; its position says nothing
-  ToolLength delivered_;  // the one of the modal state may be on its way
+  ModalState standing_;     // while nothing runs; its position says nothing
+  ToolLength delivered_;    // the one of the modal state may be on its way
+  int written_offset_ = 0;  // by the program; 0: none
   Vm& vm_;
   RunState& run_;
   ParameterStore& parameters_;

@@ -79,7 +79,6 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   stop_.reset();
   pending_.reset();
   run_.forget_error();
-  written_offset_ = 0;
   count_ = {};
   count_.most = state_.channel.bounds.steps;
   for (const auto& one : vm_.program().files) {
@@ -281,11 +280,9 @@ void ProgramRun::end_program(ProgramEndKind kind) {
 
 Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
   queue.take(command);
-  if (const auto* const length = std::get_if<ToolLength>(&command.payload))
-    blocks_.note_delivered(*length);
+  blocks_.note_delivered(command.payload);
   if (const auto* const request = std::get_if<Request>(&command.payload)) {
     pending_.deliver(*request);
-    if (request->kind == RequestKind::offset_table_write) written_offset_ = request->number;
   }
   return Step::command;
 }
@@ -293,10 +290,7 @@ Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
 void ProgramRun::answer(const Answer& answer) {
   if (!pending_.accept()) return;
   if (answer.position_valid) blocks_.adopt_position(answer.position_B);
-  if (state_.queue.empty() && written_offset_ != 0) {
-    if (std::exchange(written_offset_, 0) == state_.modal.frames.work_offset_number)
-      blocks_.read_work_offset_again();
-  }
+  if (state_.queue.empty()) blocks_.take_written_offset();
   PendingAnswer::Taken taken = pending_.take(answer);
   if (taken.pushed) vm_.stack().push(std::move(*taken.pushed));
   if (taken.refusal) {

@@ -110,7 +110,6 @@ class ProgramRun {
   SearchStop stop_;
   StepCount count_;
   bool line_runs_ = false;  // of the operator: the modal state goes on
-  int written_offset_ = 0;  // the work offset that the program itself wrote; 0: none
 };
 
 }  // namespace stanok::lang

@@ -78,6 +78,16 @@ TEST(SituationBookTest, ANumberKeepsItsMeaning) {
   EXPECT_EQ(book.at({.situation = first}).number, first);
 }
 
+// The offset of the table is in the first output already.
+TEST(SituationBookTest, TheFirstCycleShowsHowTheChannelStands) {
+  MachineConfig config = testing::two_channel_machine();
+  config.tables.offsets["G54"]["X"] = 11.0;
+  MachineBench bench(config);
+  const ChannelOutput& output = bench.cycle().channels[0];
+  EXPECT_EQ(output.point_W[0].value, output.axes[0].position - 11.0);
+  EXPECT_NE(output.tag.situation, 0U);
+}
+
 // What stands beside a stop is of the stop, and no older than the move before it: line, codes,
 // coolant, frame.
 TEST(SituationBookTest, AStopShowsItsOwnLineCodesAndCoolant) {

@@ -11,10 +11,10 @@
 namespace stanok::daemon {
 namespace {
 
+using channels::ShortText;
 using nlohmann::json;
 using protocol::Failure;
 using protocol::FailureKind;
-using channels::ShortText;
 namespace commands = channels::commands;
 
 Failure refused(const char* code, std::string text, int channel) {
@@ -63,16 +63,14 @@ std::string key_of(const lang::MeaningTerms& terms, std::size_t axis) {
 // What is in force is the row of the tool, or no length at all.
 bool touches_what_is_in_force(const lang::ToolLength& length, int tool, int edge) {
   if (length.mode == lang::LengthMode::tip) return false;
-  if (length.row == lang::ToolLength::Row::none)
-    return length.offset_mm == std::array<double, 3>{};
-  return length.row == lang::ToolLength::Row::added && length.tool == tool &&
-         length.edge == edge && length.base_mm == std::array<double, 3>{};
+  if (length.row == lang::ToolLength::Row::none) return length.offset_mm == std::array<double, 3>{};
+  return length.row == lang::ToolLength::Row::added && length.tool == tool && length.edge == edge &&
+         length.base_mm == std::array<double, 3>{};
 }
 
 }  // namespace
 
-Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters,
-                                                       int channel) const {
+Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters, int channel) const {
   const channels::MachineConfig& machine = machine_.file().machine;
   const channels::ChannelConfig& config = config_of(machine, channel);
   const channels::ChannelOutput output = output_of(machine_.newest_output(), channel);
@@ -91,8 +89,7 @@ Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters,
         refused("E6091", name + " is shown as a diameter: say as radius or as diameter", channel));
   }
   const std::string obstacle = obstacle_of(situation.meaning, *axis);
-  if (!obstacle.empty())
-    return Unexpected<Failure>(refused("E6092", obstacle, channel));
+  if (!obstacle.empty()) return Unexpected<Failure>(refused("E6092", obstacle, channel));
   Wanted wanted;
   wanted.situation = situation.number;
   wanted.axis = *axis;
@@ -138,18 +135,16 @@ void TouchDesk::touch_offset(const json& parameters, int channel, Answer answer)
   const channels::ChannelConfig& config = config_of(machine, channel);
   const channels::ChannelOutput output = output_of(machine_.newest_output(), channel);
   const auto& terms = *machine_.situation(output).meaning.terms;
-  const std::string place = parameters["offset"].get<std::string>() + " " +
-                            machine.axes[config.axes[found->axis]].name;
+  const std::string place =
+      parameters["offset"].get<std::string>() + " " + machine.axes[config.axes[found->axis]].name;
   channels::OperatorEvent event;
   event.channel = channel;
   event.situation = found->situation;
-  event.command = commands::OffsetTouch{.place = ShortText(place),
-                                        .point_W = found->point_W,
-                                        .active = terms.frame.work_offset};
+  event.command = commands::OffsetTouch{
+      .place = ShortText(place), .point_W = found->point_W, .active = terms.frame.work_offset};
   const commands::OffsetSet back{.place = ShortText(place)};
   const double old = value_of(back).value_or(0.0);
-  const double change =
-      terms.work_offset_B[found->axis] + found->expected_mm - old;
+  const double change = terms.work_offset_B[found->axis] + found->expected_mm - old;
   if (const auto refusal = large_change(parameters, change, channel))
     return answer(Unexpected<Failure>(*refusal));
   submit(event, back, std::move(answer));
@@ -180,10 +175,8 @@ void TouchDesk::touch_tool(const json& parameters, int channel, Answer answer) {
   channels::OperatorEvent event;
   event.channel = channel;
   event.situation = found->situation;
-  event.command = commands::ToolTouch{.key = ShortText(key),
-                                      .point_W = found->point_W,
-                                      .tool = tool,
-                                      .edge = edge};
+  event.command = commands::ToolTouch{
+      .key = ShortText(key), .point_W = found->point_W, .tool = tool, .edge = edge};
   submit(event, back, std::move(answer));
 }
 
@@ -211,7 +204,8 @@ void TouchDesk::undo(const json& parameters, Answer answer) {
   const auto touch = std::ranges::find_if(
       touches_, [&](const Touch& one) { return one.number == parameters["undo"]; });
   if (touch == touches_.end())
-    return answer(Unexpected<Failure>(refused("E6094", "nothing was touched off by this number", 0)));
+    return answer(
+        Unexpected<Failure>(refused("E6094", "nothing was touched off by this number", 0)));
   if (value_of(touch->back) != touch->after) {
     return answer(
         Unexpected<Failure>(refused("E6094", "the value was changed since it was touched off", 0)));

@@ -1,5 +1,5 @@
-// TouchDesk: touching off. A point where the axes stand gets a coordinate, by a work offset or by the
-// length of a tool; said in words of the display, whatever codes are active.
+// TouchDesk: touching off. A point where the axes stand gets a coordinate, by a work offset or by
+// the length of a tool; said in words of the display, whatever codes are active.
 //
 // The answer holds the old and the new value and a number with which they can be exchanged again. A
 // change that is larger than the machine file thinks likely wants to be confirmed. The value itself

@@ -59,6 +59,8 @@ std::vector<Recorded> all_commands() {
       {ProgramSearch{ShortText("N40"), SearchWay::not_calculated, 3}, 27, "program_search", 1, 3.0,
        0.0, "N40"},
       {ChannelControl{41}, 28, "channel_control", 41},
+      {OffsetTouch{text, 12.5, 3}, 29, "offset_touch", 3, 12.5, 0.0, "G54 X"},
+      {ToolTouch{ShortText("length"), -4.0, 7, 2}, 30, "tool_touch", 7, -4.0, 2.0, "length"},
   };
 }
 
@@ -107,7 +109,7 @@ TEST(OperatorCommandTest, FieldsThatAreNotGivenStayEmpty) {
 }
 
 TEST(OperatorCommandTest, WhatNoCommandHasIsNone) {
-  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(29)}));
+  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(31)}));
   EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(255)}));
   EXPECT_FALSE(
       command_of({.action = OperatorAction::process_automatic, .text = ShortText("other")}));

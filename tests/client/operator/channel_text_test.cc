@@ -103,5 +103,14 @@ TEST(OffsetsText, IsATableOfNumbers) {
             "G55           0  0\n");
 }
 
+// A lathe in G7, in a file that the program calls.
+TEST(ChannelText, MarksDiametersAndTheFileOfTheLine) {
+  const json status{{"words", {"X", "Z"}}, {"position", {{"X", 100.0}, {"Z", -2.0}}},
+                    {"diameter", {"X"}},   {"program", "part.nc"},
+                    {"file", "groove.nc"}, {"line", 12}};
+  EXPECT_EQ(position_text(status), "X Ø 100  Z -2");
+  EXPECT_NE(channel_text(status, into_a_pipe).find("part.nc in groove.nc:12"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stanok::client

@@ -137,9 +137,9 @@ TEST_F(LineTest, AProgramOfLinuxcncBeginsInTheOffsetsOfBefore) {
   enter("G92 X7");
   EXPECT_EQ(end_of("cnc.ngc"), 0.0);
   EXPECT_EQ(end_of("cnc.ngc"), -100.0) << "G54 and the shift of -107";
-  EXPECT_EQ(interpreter->standing().frame.offset[0], -107.0);
+  EXPECT_EQ(interpreter->standing().terms->frame.offset[0], -107.0);
   enter("G0 X7");
-  EXPECT_EQ(interpreter->standing().frame.offset[0], -107.0);
+  EXPECT_EQ(interpreter->standing().terms->frame.offset[0], -107.0);
   position_B[0] = -100.0;
   EXPECT_EQ(end_of("shift.ngc"), -100.0);
   EXPECT_EQ(end_of("cnc.ngc"), -94.0) << "X1 stands at -100";
@@ -159,7 +159,7 @@ TEST_F(LineTest, AProgramOfLinuxcncThatIsBrokenOffLeavesTheShiftOfBefore) {
   drain();
   EXPECT_NE(error.code, "") << "G1 without a feed";
   interpreter->break_off();
-  EXPECT_EQ(interpreter->standing().frame.offset[0], -7.0);
+  EXPECT_EQ(interpreter->standing().terms->frame.offset[0], -7.0);
 }
 
 TEST_F(LineTest, AResetBringsTheDefaultStateBack) {
