@@ -90,7 +90,7 @@ inline constexpr Parameter seen_situation{
     .name = "situation",
     .type = ParameterType::integer,
     .minimum = 1,
-    .maximum = 4294967295.0,
+    .maximum = 2147483647.0,
     .help =
         "situation of the channel in the status that was looked at; refused where it has "
         "changed since"};

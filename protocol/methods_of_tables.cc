@@ -133,7 +133,7 @@ constexpr Parameter undo_number{.name = "undo",
                                 .presence = Presence::required,
                                 .spelling = Spelling::positional,
                                 .minimum = 1,
-                                .maximum = 9007199254740991.0,
+                                .maximum = 1e9,
                                 .help = "number that the answer to the touch-off had"};
 
 constexpr std::string_view touch_result = R"({"old":"number","new":"number","undo":"integer"})";

@@ -82,7 +82,7 @@ TEST(InputRecordTest, WhatThisVersionDoesNotKnowIsSaidToBeUnknown) {
     return std::holds_alternative<UnknownInput>(from_input(message).content);
   };
   EXPECT_TRUE(is_unknown(0, -1, 0));
-  EXPECT_TRUE(is_unknown(0, 29, 0));
+  EXPECT_TRUE(is_unknown(0, static_cast<int>(std::variant_size_v<OperatorCommand>), 0));
   EXPECT_TRUE(is_unknown(0, 256, 0)) << "it is not action 0";
   EXPECT_TRUE(is_unknown(1, 0, 0));
   EXPECT_TRUE(is_unknown(3, -1, 0));

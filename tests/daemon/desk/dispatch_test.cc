@@ -186,6 +186,8 @@ TEST_F(DispatchTest, AnswersEveryMethodOrHandsItToTheMachine) {
       continue;                                       // the schemes of this machine are none
     if (calculates(method)) continue;                 // a.nc is no sheet of a process
     if (method.name.starts_with("queue.")) continue;  // program_queue_test.cc
+    if (method.name.ends_with(".touch") || method.name == "offset.undo")
+      continue;  // touch_off_test.py
     const json parameters = accepted_parameters(method);
     if (parameters.contains("file") && method.name.starts_with("history."))
       continue;  // no log here
