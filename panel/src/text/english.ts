@@ -137,11 +137,13 @@ export const english = {
   'search.position': 'Programmed place',
   'search.stands_at': 'Axes stand at',
   'search.left_out': 'Left out',
+  'search.radius': '{words}: radius, not diameter',
   tool: 'Tool',
   dro: 'Positions',
   'dro.axis': 'axis',
   'dro.work': 'work',
   'dro.machine': 'machine',
+  diameter: 'diameter',
   'dro.to_go': 'to go',
   'dro.big': 'Big digits',
   'dro.unverified': 'not verified',
@@ -361,7 +363,7 @@ export const english = {
   'topic.cell_history':
     'What the gateway has kept of all machines: runs, alarms, use, tools, drift of cycle times.',
   'topic.positions':
-    'Work is the programmed point in the active offset, machine is what the axes read, to go is the way to the end of the block. Not verified: no drive in contact has said yet that the position belongs to the machine.',
+    'Work is what a program would have to say to get here in the active offset, machine is what the axes read, to go is the way to the end of the block. Ø: work and to go are diameters, machine is a radius. Inches where G20 is in force. Not verified: no drive in contact has said yet that the position belongs to the machine.',
   'topic.override':
     'Percent of the programmed feed, of the rapid speed and of the programmed spindle speed. A press on the percentage brings 100 % back.',
   'topic.mdi':
@@ -385,6 +387,7 @@ export const english = {
   'topic.programs': 'Programs beneath the program root of the daemon.',
   'topic.history': 'Alarms, runs, events, and the log file.',
   'unit.mm': 'mm',
+  'unit.inch': 'in',
   'unit.w': 'W',
   'unit.us': 'µs',
   'unit.s': 's',
