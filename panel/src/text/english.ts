@@ -273,11 +273,20 @@ export const english = {
   offsets: 'Work offsets',
   'offsets.active': 'active',
   touch: 'Touch off',
-  'touch.text': 'The point where the axes stand gets this coordinate (G10 L20).',
+  'touch.text':
+    'Sets the work offset so that the axis stands at this value. Nothing moves; it does not matter which codes are in force.',
   'touch.offset': 'Offset',
   'touch.axis': 'Axis',
-  'touch.value': 'is then',
+  'touch.now': 'stands at',
+  'touch.value': 'is to stand at',
   'touch.go': 'Touch off',
+  'touch.changed':
+    'Not touched off: codes, tool or tables have changed since you entered the value. The numbers shown are the new ones. Check them and press again.',
+  'touch.question':
+    'In the table, {unit}: {text}. Check the unit and the sign. Is this change intended?',
+  'touch.yes': 'Yes, touch off',
+  'touch.done': 'Touched off, table: {what} {from} → {to} {unit}',
+  'touch.undo': 'Undo touch-off',
   'drives.loading': 'The state of the drives is on its way',
   'drives.none': 'This machine has no drives',
   'drives.none_text': 'Its setpoints go nowhere: there is no section [drives] in the machine file.',
@@ -381,7 +390,7 @@ export const english = {
   'topic.tools':
     'A change is sent with Enter or when you leave the field. It is refused while a program runs.',
   'topic.offsets':
-    'Numbers of the table along the axes of the machine. To touch off, use the form beneath.',
+    'Numbers of the table along the axes of the machine. To touch off, use the form beneath: enter the value in the unit shown there, along an axis with Ø as a diameter. A large change has to be confirmed, and the newest touch-off can be taken back.',
   'topic.drives': 'What each drive says of itself, and how well the bus reaches it.',
   'topic.path': 'The path: planned, done, and where the tool is now.',
   'topic.programs': 'Programs beneath the program root of the daemon.',

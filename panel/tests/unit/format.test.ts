@@ -1,7 +1,7 @@
 // Numbers and times as they are shown, and the words for what a channel does.
 import { expect, test } from 'vitest';
 import { fileOf, kindOfMark, placeOf, progressOf, stateOf } from '../../src/stores/acts';
-import { bytes, duration, fixed, isRotary, numberIn, programNumber } from '../../src/stores/format';
+import { bytes, duration, fixed, isRotary, numberIn } from '../../src/stores/format';
 import { spoken } from '../../src/stores/spoken.svelte';
 import type { Channel } from '../../src/stores/machine.svelte';
 
@@ -18,14 +18,6 @@ test('what a person writes is a number or none; an empty field is not zero', () 
   for (const none of ['', ' ', '1e3', '0x10', '1.2.3', '1,234.5', 'Infinity', 'abc', '-']) {
     expect(numberIn(none)).toBeNull();
   }
-});
-
-test('a number in a program has no exponent', () => {
-  expect(programNumber(1e-7)).toBe('0');
-  expect(programNumber(-12.5)).toBe('-12.5');
-  expect(programNumber(100)).toBe('100');
-  expect(programNumber(1e20)).toBe('100000000000000000000');
-  expect(programNumber(0.1 + 0.2)).toBe('0.3');
 });
 
 test('sizes', async () => {
