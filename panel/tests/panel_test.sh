@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One part of the tests of the page. usage: panel_test.sh packages|page|unit|views|job|jog|run|process|cell|drawn|views_long|drawn_long|long FOLDER_OF_THE_PROGRAMS
+# One part of the tests of the page. usage: panel_test.sh packages|page|unit|views|job|jog|run|process|touch|cell|drawn|views_long|drawn_long|long FOLDER_OF_THE_PROGRAMS
 #
 # Needs Node 18 or newer and npm; the others Chromium, too. Says what is missing and ends with 77.
 set -euo pipefail
@@ -74,6 +74,6 @@ browser() {
 case "$part" in
   packages | page | unit) "$part" ;;
   views_long | drawn_long) STANOK_FULL=1 browser "${part%_long}" ;;
-  views | job | jog | run | process | cell | drawn | long) browser "$part" ;;
-  *) echo "usage: ${0##*/} packages|page|unit|views|job|jog|run|process|cell|drawn|views_long|drawn_long|long FOLDER" >&2; exit 2 ;;
+  views | job | jog | run | process | touch | cell | drawn | long) browser "$part" ;;
+  *) echo "usage: ${0##*/} packages|page|unit|views|job|jog|run|process|touch|cell|drawn|views_long|drawn_long|long FOLDER" >&2; exit 2 ;;
 esac

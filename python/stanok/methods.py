@@ -268,6 +268,7 @@ class ProgramMethods:
         *,
         channel: int | None = None,
         wait: Literal["accepted", "done"] | None = None,
+        situation: int | None = None,
     ) -> dict[str, Any]:
         """Start the loaded program; continue it when held.
 
@@ -276,8 +277,10 @@ class ProgramMethods:
         Args:
             channel: channel; default: the first one; 1 to 999.
             wait: when the answer comes: request accepted, or work done.
+            situation: situation of the channel in the status that was looked at; refused where it has
+                changed since; 1 to 4294967295.
         """
-        return self._call("program.start", _given(channel=channel, wait=wait))
+        return self._call("program.start", _given(channel=channel, wait=wait, situation=situation))
 
     def hold(self, *, channel: int | None = None) -> dict[str, Any]:
         """Feed hold: come to rest along the path.
@@ -700,6 +703,37 @@ class ToolMethods:
         """
         return self._call("tool.set", _given(number=number, key=key, value=value, edge=edge))
 
+    def touch(
+        self,
+        number: int,
+        axis: str,
+        value: float,
+        *,
+        as_: Literal["radius", "diameter"] | None = None,
+        situation: int | None = None,
+        edge: int | None = None,
+        confirmed: int | None = None,
+        channel: int | None = None,
+    ) -> dict[str, Any]:
+        """Set the length of a tool so that an axis stands at a value (touch off); at rest.
+
+        ``tool.touch``, for the role operator.
+
+        Args:
+            number: number of the tool; 1 to 32000.
+            axis: axis, by its word or its name.
+            value: where the axis is to stand, in the work system; -100000 to 100000 mm, deg.
+            as_: what the value is; required where X is shown as a diameter.
+            situation: situation of the channel in the status that was looked at; refused where it has
+                changed since; 1 to 4294967295.
+            edge: edge of the tool; default 1; 1 to 99.
+            confirmed: 1: also when the value changes by more than entry_limits.touch_off_max; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("tool.touch", _given(
+            number=number, axis=axis, value=value, as_=as_, situation=situation, edge=edge,
+            confirmed=confirmed, channel=channel))
+
     def load(self, tables: str, *, file: str | None = None) -> dict[str, Any]:
         """Set the tools and work offsets that a text names; not while a program runs.
 
@@ -751,6 +785,45 @@ class OffsetMethods:
             value: new value; -100000 to 100000 mm, deg.
         """
         return self._call("offset.set", _given(offset=offset, axis=axis, value=value))
+
+    def touch(
+        self,
+        offset: str,
+        axis: str,
+        value: float,
+        *,
+        as_: Literal["radius", "diameter"] | None = None,
+        situation: int | None = None,
+        confirmed: int | None = None,
+        channel: int | None = None,
+    ) -> dict[str, Any]:
+        """Set a work offset so that an axis stands at a value (touch off); at rest.
+
+        ``offset.touch``, for the role operator.
+
+        Args:
+            offset: work offset: G54 to G59, G59.1 to G59.3, "G54.1 P1".
+            axis: axis, by its word or its name.
+            value: where the axis is to stand, in the work system; -100000 to 100000 mm, deg.
+            as_: what the value is; required where X is shown as a diameter.
+            situation: situation of the channel in the status that was looked at; refused where it has
+                changed since; 1 to 4294967295.
+            confirmed: 1: also when the value changes by more than entry_limits.touch_off_max; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("offset.touch", _given(
+            offset=offset, axis=axis, value=value, as_=as_, situation=situation, confirmed=confirmed,
+            channel=channel))
+
+    def undo(self, undo: int) -> dict[str, Any]:
+        """Take a touch-off back, of an offset or a tool, where nobody has changed the value since.
+
+        ``offset.undo``, for the role operator.
+
+        Args:
+            undo: number that the answer to the touch-off had.
+        """
+        return self._call("offset.undo", _given(undo=undo))
 
 
 class ProcessMethods:
@@ -1235,6 +1308,7 @@ class Methods:
         *,
         channel: int | None = None,
         wait: Literal["accepted", "done"] | None = None,
+        situation: int | None = None,
     ) -> dict[str, Any]:
         """Execute one line of program text: a block or a statement.
 
@@ -1244,8 +1318,10 @@ class Methods:
             text: one complete statement.
             channel: channel; default: the first one; 1 to 999.
             wait: when the answer comes: request accepted, or work done.
+            situation: situation of the channel in the status that was looked at; refused where it has
+                changed since; 1 to 4294967295.
         """
-        return self._call("mdi", _given(text=text, channel=channel, wait=wait))
+        return self._call("mdi", _given(text=text, channel=channel, wait=wait, situation=situation))
 
     def jog(
         self,

@@ -114,9 +114,11 @@ export interface Methods {
       block_skip: number[];
       controlled_by: string | null;
       coolant: string[];
+      diameter: string[];
       feed_mm_min: number;
       feed_mm_rev: number;
       feed_mm_s: number;
+      file: string | null;
       foreseen: {
         acknowledged?: boolean;
         channel: number;
@@ -149,6 +151,7 @@ export interface Methods {
         spindle: number;
       };
       planned_path: number | null;
+      point_W: Record<string, number>;
       position: Record<string, number>;
       predicted_s: number | null;
       program: string | null;
@@ -162,6 +165,7 @@ export interface Methods {
       run: number;
       scheme: number;
       single_block: boolean;
+      situation: number;
       speed_mm_min: number;
       speed_mm_s: number;
       spindles: ({
@@ -179,6 +183,7 @@ export interface Methods {
         number: number;
       };
       tool_direction: unknown;
+      units: string;
       waits_for: {
         channels: number[];
         for: string;
@@ -419,6 +424,7 @@ export interface Methods {
     params: {
       channel?: number;
       wait?: "accepted" | "done";
+      situation?: number;
     };
     result: {
       accepted?: boolean;
@@ -980,6 +986,24 @@ export interface Methods {
       accepted: boolean;
     };
   };
+  /** set the length of a tool so that an axis stands at a value (touch off); at rest */
+  "tool.touch": {
+    params: {
+      number: number;
+      axis: string;
+      value: number;
+      as?: "radius" | "diameter";
+      situation?: number;
+      edge?: number;
+      confirmed?: number;
+      channel?: number;
+    };
+    result: {
+      new: number;
+      old: number;
+      undo: number;
+    };
+  };
   /** set the tools and work offsets that a text names; not while a program runs */
   "tool.load": {
     params: {
@@ -1029,12 +1053,40 @@ export interface Methods {
       accepted: boolean;
     };
   };
+  /** set a work offset so that an axis stands at a value (touch off); at rest */
+  "offset.touch": {
+    params: {
+      offset: string;
+      axis: string;
+      value: number;
+      as?: "radius" | "diameter";
+      situation?: number;
+      confirmed?: number;
+      channel?: number;
+    };
+    result: {
+      new: number;
+      old: number;
+      undo: number;
+    };
+  };
+  /** take a touch-off back, of an offset or a tool, where nobody has changed the value since */
+  "offset.undo": {
+    params: {
+      undo: number;
+    };
+    result: {
+      new: number;
+      old: number;
+    };
+  };
   /** execute one line of program text: a block or a statement */
   mdi: {
     params: {
       text: string;
       channel?: number;
       wait?: "accepted" | "done";
+      situation?: number;
     };
     result: {
       accepted?: boolean;
@@ -1539,11 +1591,14 @@ export const method_roles: Record<MethodName, string> = {
   "tool.list": 'observer',
   "tool.get": 'observer',
   "tool.set": 'operator',
+  "tool.touch": 'operator',
   "tool.load": 'operator',
   "tool.save": 'observer',
   "tool.history": 'observer',
   "offset.list": 'observer',
   "offset.set": 'operator',
+  "offset.touch": 'operator',
+  "offset.undo": 'operator',
   mdi: 'operator',
   jog: 'operator',
   home: 'operator',

@@ -1,6 +1,7 @@
 // What the page asks of the machine from more than one place.
+import { t } from '../text/text';
 import type { GlanceChannel } from './cell.svelte';
-import { store } from './machine.svelte';
+import { store, type Channel } from './machine.svelte';
 
 /** Feed hold of every channel, asked for at once; the first refusal is thrown when all were sent. */
 export async function holdAll(): Promise<void> {
@@ -48,4 +49,14 @@ export function progressOf(channel: GlanceChannel): number | null {
   const { predicted_s: predicted, remaining_s: remaining } = channel;
   if (predicted == null || remaining == null || predicted <= 0) return null;
   return Math.min(1, Math.max(0, 1 - remaining / predicted));
+}
+
+/** The file in which the line of a channel stands: its program, or what that calls; null: none. */
+export const fileOf = ({ file, program }: Pick<Channel, 'file' | 'program'>): string | null =>
+  file ?? program ?? null;
+
+/** Where a channel is, behind the name of its program: with the file where that is another one. */
+export function placeOf(channel: Pick<Channel, 'file' | 'program' | 'line'>): string {
+  const { file, program, line = 0 } = channel;
+  return file != null && file !== program ? `${file}:${line}` : t('channel.line', { line });
 }

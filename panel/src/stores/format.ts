@@ -16,9 +16,6 @@ export function numberIn(text: string): number | null {
   return /^[-+]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;
 }
 
-/** As a word of a program takes it: no exponent, no more digits than a machine can tell apart. */
-export const programNumber = (value: number): string => value.toFixed(6).replace(/\.?0+$/, '');
-
 export const length = (value: number): string => fixed(value, 3);
 
 /** 75 is 1:15, 3,700 is 1:01:40. */

@@ -24,9 +24,9 @@ const after_refusal_ms = 2000;
 const pause = (time_ms: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, time_ms));
 
-/** Of the tool on the part; before the daemon knows it, the programmed point. */
-export function tipOf({ on_part, position = {} }: Channel): [number, number, number] {
-  const [x, y, z] = on_part?.tip ?? [position['X'], position['Y'], position['Z']];
+/** Of the tool on the part; before the daemon knows it, the programmed point, never the words for it. */
+export function tipOf({ on_part, point_W: point = {} }: Channel): [number, number, number] {
+  const [x, y, z] = on_part?.tip ?? [point['X'], point['Y'], point['Z']];
   return [x ?? 0, y ?? 0, z ?? 0];
 }
 

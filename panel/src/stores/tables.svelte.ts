@@ -1,8 +1,7 @@
 // Tools and work offsets, and what this page changed of them, so that it can be taken back.
-import type { Result } from '../rpc/json_rpc';
+import type { Params, Result } from '../rpc/json_rpc';
 import type { Methods } from '../generated/client';
 import { t } from '../text/text';
-import { programNumber } from './format';
 import { store } from './machine.svelte';
 
 export type Tool = Result<'tool.list'>['tools'][number];
@@ -17,9 +16,6 @@ export interface Change {
   now: () => number;
   send: (value: number) => Promise<unknown>;
 }
-
-/** In the order of the numbers that G10 gives them. */
-export const offsetsOfG10 = 'G54 G55 G56 G57 G58 G59 G59.1 G59.2 G59.3'.split(' ');
 
 const changesKept = 100;
 
@@ -58,12 +54,24 @@ class Tables {
     });
   }
 
-  /** Makes the point where the axes stand have this coordinate. */
-  async touchOff(offset: string, word: string, value: number, channel: number): Promise<void> {
-    const number = offsetsOfG10.indexOf(offset) + 1;
-    const text = `G10 L20 P${number} ${word}${programNumber(value)}`;
-    await store.call('mdi', { text, channel, wait: 'done' });
+  /** An axis stands at a value from now on; taken back by the daemon, which knows the value before. */
+  async touchOff(wanted: Params<'offset.touch'>): Promise<Change> {
+    const { offset, axis: word, channel } = wanted;
+    const { undo, old, new: to } = await store.call('offset.touch', wanted);
+    const { words = [], axis_names: names = [] } =
+      store.channels.find((one) => one.id === channel) ?? {};
+    const axis = names[words.indexOf(word)] ?? word;
+    const change: Change = {
+      what: `${offset} ${axis}`,
+      from: old,
+      to,
+      at: Date.now(),
+      now: () => this.offsets[offset]?.[axis] ?? 0,
+      send: () => store.call('offset.undo', { undo }),
+    };
+    this.#keep(change);
     await this.read();
+    return change;
   }
 
   /** Refused when somebody has changed the value since. */
@@ -81,7 +89,11 @@ class Tables {
     const from = wanted.now();
     await wanted.send(wanted.to);
     await this.read();
-    this.changes = [{ ...wanted, from, at: Date.now() }, ...this.changes].slice(0, changesKept);
+    this.#keep({ ...wanted, from, at: Date.now() });
+  }
+
+  #keep(change: Change): void {
+    this.changes = [change, ...this.changes].slice(0, changesKept);
   }
 }
 

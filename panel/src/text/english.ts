@@ -137,11 +137,13 @@ export const english = {
   'search.position': 'Programmed place',
   'search.stands_at': 'Axes stand at',
   'search.left_out': 'Left out',
+  'search.radius': '{words}: radius, not diameter',
   tool: 'Tool',
   dro: 'Positions',
   'dro.axis': 'axis',
   'dro.work': 'work',
   'dro.machine': 'machine',
+  diameter: 'diameter',
   'dro.to_go': 'to go',
   'dro.big': 'Big digits',
   'dro.unverified': 'not verified',
@@ -271,11 +273,20 @@ export const english = {
   offsets: 'Work offsets',
   'offsets.active': 'active',
   touch: 'Touch off',
-  'touch.text': 'The point where the axes stand gets this coordinate (G10 L20).',
+  'touch.text':
+    'Sets the work offset so that the axis stands at this value. Nothing moves; it does not matter which codes are in force.',
   'touch.offset': 'Offset',
   'touch.axis': 'Axis',
-  'touch.value': 'is then',
+  'touch.now': 'stands at',
+  'touch.value': 'is to stand at',
   'touch.go': 'Touch off',
+  'touch.changed':
+    'Not touched off: codes, tool or tables have changed since you entered the value. The numbers shown are the new ones. Check them and press again.',
+  'touch.question':
+    'In the table, {unit}: {text}. Check the unit and the sign. Is this change intended?',
+  'touch.yes': 'Yes, touch off',
+  'touch.done': 'Touched off, table: {what} {from} → {to} {unit}',
+  'touch.undo': 'Undo touch-off',
   'drives.loading': 'The state of the drives is on its way',
   'drives.none': 'This machine has no drives',
   'drives.none_text': 'Its setpoints go nowhere: there is no section [drives] in the machine file.',
@@ -361,7 +372,7 @@ export const english = {
   'topic.cell_history':
     'What the gateway has kept of all machines: runs, alarms, use, tools, drift of cycle times.',
   'topic.positions':
-    'Work is the programmed point in the active offset, machine is what the axes read, to go is the way to the end of the block. Not verified: no drive in contact has said yet that the position belongs to the machine.',
+    'Work is what a program would have to say to get here in the active offset, machine is what the axes read, to go is the way to the end of the block. Ø: work and to go are diameters, machine is a radius. Inches where G20 is in force. Not verified: no drive in contact has said yet that the position belongs to the machine.',
   'topic.override':
     'Percent of the programmed feed, of the rapid speed and of the programmed spindle speed. A press on the percentage brings 100 % back.',
   'topic.mdi':
@@ -379,12 +390,13 @@ export const english = {
   'topic.tools':
     'A change is sent with Enter or when you leave the field. It is refused while a program runs.',
   'topic.offsets':
-    'Numbers of the table along the axes of the machine. To touch off, use the form beneath.',
+    'Numbers of the table along the axes of the machine. To touch off, use the form beneath: enter the value in the unit shown there, along an axis with Ø as a diameter. A large change has to be confirmed, and the newest touch-off can be taken back.',
   'topic.drives': 'What each drive says of itself, and how well the bus reaches it.',
   'topic.path': 'The path: planned, done, and where the tool is now.',
   'topic.programs': 'Programs beneath the program root of the daemon.',
   'topic.history': 'Alarms, runs, events, and the log file.',
   'unit.mm': 'mm',
+  'unit.inch': 'in',
   'unit.w': 'W',
   'unit.us': 'µs',
   'unit.s': 's',

@@ -1,7 +1,7 @@
 // Numbers and times as they are shown, and the words for what a channel does.
 import { expect, test } from 'vitest';
-import { kindOfMark, progressOf, stateOf } from '../../src/stores/acts';
-import { bytes, duration, fixed, isRotary, numberIn, programNumber } from '../../src/stores/format';
+import { fileOf, kindOfMark, placeOf, progressOf, stateOf } from '../../src/stores/acts';
+import { bytes, duration, fixed, isRotary, numberIn } from '../../src/stores/format';
 import { spoken } from '../../src/stores/spoken.svelte';
 import type { Channel } from '../../src/stores/machine.svelte';
 
@@ -18,14 +18,6 @@ test('what a person writes is a number or none; an empty field is not zero', () 
   for (const none of ['', ' ', '1e3', '0x10', '1.2.3', '1,234.5', 'Infinity', 'abc', '-']) {
     expect(numberIn(none)).toBeNull();
   }
-});
-
-test('a number in a program has no exponent', () => {
-  expect(programNumber(1e-7)).toBe('0');
-  expect(programNumber(-12.5)).toBe('-12.5');
-  expect(programNumber(100)).toBe('100');
-  expect(programNumber(1e20)).toBe('100000000000000000000');
-  expect(programNumber(0.1 + 0.2)).toBe('0.3');
 });
 
 test('sizes', async () => {
@@ -77,4 +69,14 @@ test('progress is a share of the predicted time', () => {
   expect(progressOf(channel({ predicted_s: 100, remaining_s: 39 }))).toBeCloseTo(0.61);
   expect(progressOf(channel({ predicted_s: 100, remaining_s: 120 }))).toBe(0);
   expect(progressOf(channel({ predicted_s: null, remaining_s: 1 }))).toBeNull();
+});
+
+test('a line has its file beside it where that is not the program', async () => {
+  await spoken.speak('en');
+  expect(placeOf({ program: 'a.nc', file: 'a.nc', line: 7 })).toBe('line 7');
+  expect(placeOf({ program: 'a.nc', file: 'sub.nc', line: 7 })).toBe('sub.nc:7');
+  expect(placeOf({ program: 'a.nc' })).toBe('line 0');
+  expect(fileOf({ program: 'a.nc', file: 'sub.nc' })).toBe('sub.nc');
+  expect(fileOf({ program: 'a.nc', file: null })).toBe('a.nc');
+  expect(fileOf({})).toBeNull();
 });

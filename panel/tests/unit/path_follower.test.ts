@@ -1,7 +1,7 @@
 // The planned path is asked for again after a connection was lost in the middle of it.
 import { afterEach, expect, test, vi } from 'vitest';
 import { store, type Channel } from '../../src/stores/machine.svelte';
-import { PathFollower } from '../../src/stores/path.svelte';
+import { PathFollower, tipOf } from '../../src/stores/path.svelte';
 
 afterEach(() => {
   vi.useRealTimers();
@@ -60,4 +60,11 @@ test('another path of the same program takes the place of the one before', async
   expect(asked).toEqual([0, 0]);
   expect(follower.plan.track.generation).toBeGreaterThan(generation);
   expect(follower.givenUp).toBe('computing_time');
+});
+
+test('the tool is drawn at the point, never at the words for it', () => {
+  const lathe = { position: { X: 60, Z: -5 }, point_W: { X: 30, Z: -5 } };
+  expect(tipOf({ id: 1, ...lathe } as unknown as Channel)).toEqual([30, 0, -5]);
+  const on_part = { tip: [1, 2, 3] };
+  expect(tipOf({ id: 1, ...lathe, on_part } as unknown as Channel)).toEqual([1, 2, 3]);
 });

@@ -7,19 +7,16 @@ const { store } = await import('../../src/stores/machine.svelte');
 const { tables } = await import('../../src/stores/tables.svelte');
 
 let x: number;
-let lines: string[];
 
 beforeEach(async () => {
   await spoken.speak('en');
   x = 10;
-  lines = [];
   tables.changes = [];
   vi.spyOn(store, 'call').mockImplementation(((
     method: string,
-    { value = 0, text = '' }: { value?: number; text?: string } = {},
+    { value = 0 }: { value?: number } = {},
   ) => {
     if (method === 'offset.set') x = value;
-    if (method === 'mdi') lines.push(text);
     // In the order of a table that knows more than the nine of every machine.
     const offsets = { G54: { X: x }, 'G54.1P1': { X: 0 }, G55: { X: 0 } };
     return Promise.resolve({ tools: [], axes: ['X'], offsets });
@@ -41,10 +38,4 @@ test('what somebody else has set since stays', async () => {
   await expect(tables.undo()).rejects.toThrow('changed by somebody else');
   expect(x).toBe(31);
   expect(tables.changes).toHaveLength(1);
-});
-
-test('touching off names the offset by its number, whatever else the table holds', async () => {
-  await tables.touchOff('G55', 'X', 1e-7, 1);
-  await tables.touchOff('G59.3', 'Z', -2.5, 1);
-  expect(lines).toEqual(['G10 L20 P2 X0', 'G10 L20 P9 Z-2.5']);
 });

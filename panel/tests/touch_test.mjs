@@ -1,0 +1,100 @@
+// Positions and touching off on a lathe: diameters, inches, what is asked about, what is taken back; the
+// file of a line. What the page shows is compared with what the daemon says beside it.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before } from 'node:test';
+import { findings } from './looks.mjs';
+import { setStage, storyOf, until } from './stage.mjs';
+
+const test = storyOf();
+let stage;
+let page;
+let form;
+const mdi = (text) => stage.client.call('mdi', { text, channel: 1, wait: 'done' });
+const show = (view) => page.evaluate((name) => (location.hash = `#/${name}`), view);
+const button = (name) => form.getByRole('button', { name, exact: true });
+const written = () => form.getByRole('textbox');
+const shows = (what, text) =>
+  until(what, async () => text.test(await form.locator('[data-stands]').innerText()));
+const stands = (word, value) =>
+  until(`${word} at ${value}`, async () => {
+    const { position } = await stage.status();
+    return Math.abs(position[word] - value) < 1e-9;
+  });
+
+before(async () => {
+  stage = await setStage({ machine: 'lathe.toml' });
+  await stage.switchOn();
+  await mdi('G21 G90 G0 X60 Z120');
+  page = await stage.openMachine();
+});
+after(async () => {
+  await stage?.close();
+  assert.deepEqual(stage.faults, []);
+});
+
+test('a diameter is marked as one beside its word', async () => {
+  const row = (word) => page.locator(`[data-axis=${word}]`);
+  await row('X').getByText('60.000', { exact: true }).waitFor();
+  await row('X').getByText('30.000', { exact: true }).waitFor();
+  assert.match(await row('X').innerText(), /Ø\s*diameter\s*mm/);
+  assert.doesNotMatch(await row('Z').innerText(), /diameter/);
+  assert.equal((await stage.status()).point_W.X, 30);
+});
+
+test('along X the value is a diameter; it is taken back', async () => {
+  await show('tools');
+  form = page.locator('fieldset', { hasText: 'Touch off' });
+  await form.getByLabel('Axis').selectOption('X');
+  await shows('the diameter', /X\s*Ø.*60\.000 mm/s);
+  await written().fill('50');
+  await button('Touch off').click();
+  await stands('X', 50);
+  await form.getByText('G54 X 0.000 → 5.000 mm').waitFor();
+  assert.deepEqual(await findings(page), []);
+  await button('Undo touch-off').click();
+  await stands('X', 60);
+  await button('Undo touch-off').waitFor({ state: 'detached' });
+});
+
+test('in inches; a large change is done when it is confirmed', async () => {
+  await mdi('G20 G91');
+  await form.getByLabel('Axis').selectOption('Z');
+  await shows('inches', /Z\s*4\.7244 in/);
+  await written().fill('10');
+  await button('Touch off').click();
+  const question = form.getByRole('alert');
+  await question.getByText(/-134\.000.*100\.000/).waitFor();
+  assert.deepEqual(await findings(page), []);
+  await button('No').click();
+  await question.waitFor({ state: 'detached' });
+  assert.equal((await stage.client.call('offset.list')).offsets.G54.Z, 250);
+  await button('Touch off').click();
+  await button('Yes, touch off').click();
+  await stands('Z', 254);
+});
+
+test('a value that was written in another situation is not taken', async () => {
+  await written().fill('9');
+  await mdi('G21 G90');
+  await shows('millimetres', /254\.000 mm/);
+  await button('Touch off').click();
+  await form.getByText(/Not touched off/).waitFor();
+  await stands('Z', 254);
+  await written().fill('250');
+  await button('Touch off').click();
+  await stands('Z', 250);
+});
+
+test('the line of another file has its name, and its text is shown', async () => {
+  const main = '#include "called.nc"\nG0 Z200\nway();\nM30\n';
+  writeFileSync(join(stage.programs, 'main.nc'), main);
+  const called = 'void way()\n{\n  G94 G1 F300 Z150\n}\n';
+  writeFileSync(join(stage.programs, 'called.nc'), called);
+  await show('machine');
+  await stage.client.call('program.run', { program: 'main.nc', channel: 1 });
+  await page.getByText('called.nc:3', { exact: true }).waitFor();
+  await page.getByText('G94 G1 F300 Z150').waitFor();
+  await stage.client.call('program.stop', { channel: 1 });
+});
