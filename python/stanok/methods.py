@@ -278,7 +278,7 @@ class ProgramMethods:
             channel: channel; default: the first one; 1 to 999.
             wait: when the answer comes: request accepted, or work done.
             situation: situation of the channel in the status that was looked at; refused where it has
-                changed since; 1 to 4294967295.
+                changed since; 1 to 2147483647.
         """
         return self._call("program.start", _given(channel=channel, wait=wait, situation=situation))
 
@@ -725,7 +725,7 @@ class ToolMethods:
             value: where the axis is to stand, in the work system; -100000 to 100000 mm, deg.
             as_: what the value is; required where X is shown as a diameter.
             situation: situation of the channel in the status that was looked at; refused where it has
-                changed since; 1 to 4294967295.
+                changed since; 1 to 2147483647.
             edge: edge of the tool; default 1; 1 to 99.
             confirmed: 1: also when the value changes by more than entry_limits.touch_off_max; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
@@ -807,7 +807,7 @@ class OffsetMethods:
             value: where the axis is to stand, in the work system; -100000 to 100000 mm, deg.
             as_: what the value is; required where X is shown as a diameter.
             situation: situation of the channel in the status that was looked at; refused where it has
-                changed since; 1 to 4294967295.
+                changed since; 1 to 2147483647.
             confirmed: 1: also when the value changes by more than entry_limits.touch_off_max; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
@@ -821,7 +821,7 @@ class OffsetMethods:
         ``offset.undo``, for the role operator.
 
         Args:
-            undo: number that the answer to the touch-off had.
+            undo: number that the answer to the touch-off had; 1 to 1000000000.
         """
         return self._call("offset.undo", _given(undo=undo))
 
@@ -1319,7 +1319,7 @@ class Methods:
             channel: channel; default: the first one; 1 to 999.
             wait: when the answer comes: request accepted, or work done.
             situation: situation of the channel in the status that was looked at; refused where it has
-                changed since; 1 to 4294967295.
+                changed since; 1 to 2147483647.
         """
         return self._call("mdi", _given(text=text, channel=channel, wait=wait, situation=situation))
 
