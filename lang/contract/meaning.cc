@@ -80,7 +80,8 @@ void MeaningChanges::enter(std::uint64_t block) {
     changes_.back().meaning = newest_;
     return;
   }
-  if (changes_.size() == kept_max) changes_.erase(changes_.begin());
+  if (changes_.size() == kept_max)
+    changes_.erase(changes_.begin(), changes_.begin() + kept_max / 2);
   changes_.push_back({block, newest_});
 }
 

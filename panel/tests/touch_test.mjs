@@ -73,6 +73,7 @@ test('in inches; a large change is done when it is confirmed', async () => {
   await button('Touch off').click();
   await button('Yes, touch off').click();
   await stands('Z', 254);
+  await form.getByText(/G54 Z 250\.000 → 116\.000 mm/).waitFor();
 });
 
 test('a value that was written in another situation is not taken', async () => {
