@@ -272,6 +272,20 @@ Verdict OperatorDesk::set_offset(const commands::OffsetSet& command) RT_SAFE {
   return success();
 }
 
+namespace {
+
+// Where an axis stands is known only when it is homed and the channel has it.
+std::optional<Verdict> refusal_to_touch(const Channel& channel, int axis) RT_SAFE {
+  if (!channel.axes.owns(axis) || channel.axes.is_spindle(axis))
+    return refusal("E6092", "the axis belongs to another channel, or is a spindle now");
+  if (channel.drives.is_homed(axis)) return std::nullopt;
+  Verdict verdict = refusal("E5208", "axis ");
+  verdict.text.append(channel.axes.name(axis).view()).append(" is not homed");
+  return verdict;
+}
+
+}  // namespace
+
 // p_B = offset + p_W along an axis whose frame is not rotated: the asker has seen to it, in this
 // situation.
 Verdict OperatorDesk::touch(const Channel& channel, const commands::OffsetTouch& command) RT_SAFE {
@@ -279,6 +293,7 @@ Verdict OperatorDesk::touch(const Channel& channel, const commands::OffsetTouch&
   const int axis = place.exists() ? channel.axes.named(place.axis) : -1;
   const auto active = stores_.tables->offset(command.active, place.column);
   if (axis < 0 || !active) return refusal("E5021", "there is no such work offset or axis");
+  if (const auto refused = refusal_to_touch(channel, axis)) return *refused;
   const double stands_at = channel.motion.path().point[axis].value;
   return set_offset({.place = command.place, .value = *active + stands_at - command.point_W});
 }
@@ -293,6 +308,7 @@ Verdict OperatorDesk::touch(const Channel& channel, const commands::ToolTouch& c
   const kinematics::Transform& frame = channel.motion.frame();
   const int axis = frame.frame.geometry[place];
   if (axis < 0) return refusal("E5021", "the channel has no axis for this length");
+  if (const auto refused = refusal_to_touch(channel, axis)) return *refused;
   const double in_force = -frame.tool.nose_to_tip_mm[static_cast<Eigen::Index>(place)];
   const double stands_at = channel.motion.path().point[axis].value;
   const int wear = tool_value_named(wears[place]);
