@@ -94,17 +94,18 @@ Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters, i
   wanted.situation = situation.number;
   wanted.axis = *axis;
   wanted.point_W = parameters["value"].get<double>() * (as == "diameter" ? 0.5 : 1.0);
-  wanted.expected_mm = output.point_W[*axis].value - wanted.point_W;
+  if (machine.axes[config.axes[*axis]].rotary) wanted.unit = "deg";
+  wanted.expected = output.point_W[*axis].value - wanted.point_W;
   return wanted;
 }
 
-TouchDesk::Refusal TouchDesk::large_change(const json& parameters, double change,
+TouchDesk::Refusal TouchDesk::large_change(const json& parameters, double change, const char* unit,
                                            int channel) const {
   const double most = machine_.file().machine.entry_limits.touch_off_max_mm;
   if (std::abs(change) <= most || parameters.value("confirmed", 0) != 0) return std::nullopt;
   return refused("E6093",
-                 "the value would change by " + three_decimals(change) + ", by more than " +
-                     three_decimals(most) + ": confirm it",
+                 "the value would change by " + three_decimals(change) + " " + unit +
+                     ", by more than " + three_decimals(most) + " " + unit + ": confirm it",
                  channel);
 }
 
@@ -144,8 +145,8 @@ void TouchDesk::touch_offset(const json& parameters, int channel, Answer answer)
       .place = ShortText(place), .point_W = found->point_W, .active = terms.frame.work_offset};
   const commands::OffsetSet back{.place = ShortText(place)};
   const double old = value_of(back).value_or(0.0);
-  const double change = terms.work_offset_B[found->axis] + found->expected_mm - old;
-  if (const auto refusal = large_change(parameters, change, channel))
+  const double change = terms.work_offset_B[found->axis] + found->expected - old;
+  if (const auto refusal = large_change(parameters, change, found->unit, channel))
     return answer(Unexpected<Failure>(*refusal));
   submit(event, back, std::move(answer));
 }
@@ -169,8 +170,8 @@ void TouchDesk::touch_tool(const json& parameters, int channel, Answer answer) {
   if (!old)
     return answer(Unexpected<Failure>(refused("E5021", "there is no such tool or edge", channel)));
   const bool counts = terms.length.row == lang::ToolLength::Row::added;
-  const double change = found->expected_mm - (counts ? 0.0 : *old);
-  if (const auto refusal = large_change(parameters, change, channel))
+  const double change = found->expected - (counts ? 0.0 : *old);
+  if (const auto refusal = large_change(parameters, change, found->unit, channel))
     return answer(Unexpected<Failure>(*refusal));
   channels::OperatorEvent event;
   event.channel = channel;

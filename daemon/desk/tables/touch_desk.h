@@ -39,16 +39,17 @@ class TouchDesk {
   // What is touched off, as far as it is known before the cycle has it.
   struct Wanted {
     std::uint32_t situation = 0;
-    std::size_t axis = 0;      // of the channel
-    double point_W = 0.0;      // where the axis is to be, in the workpiece system
-    double expected_mm = 0.0;  // change of the value
+    std::size_t axis = 0;   // of the channel
+    double point_W = 0.0;   // where the axis is to be, in the workpiece system
+    double expected = 0.0;  // change of the value, mm or deg
+    const char* unit = "mm";
   };
   using Refusal = std::optional<protocol::Failure>;
 
   [[nodiscard]] Expected<Wanted, protocol::Failure> wanted(const nlohmann::json& parameters,
                                                            int channel) const;
   [[nodiscard]] Refusal large_change(const nlohmann::json& parameters, double change,
-                                     int channel) const;
+                                     const char* unit, int channel) const;
   [[nodiscard]] std::optional<double> value_of(const channels::OperatorCommand& command) const;
   void submit(const channels::OperatorEvent& event, const channels::OperatorCommand& back,
               Answer answer);
