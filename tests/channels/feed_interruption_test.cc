@@ -23,14 +23,14 @@ OperatorEvent interruption(double la, double lb, int channel = 1) {
   return event;
 }
 
-struct Rest {
+struct StandingTime {
   double z = 0.0;
   double time_s = 0.0;
 };
 
 // Collects the rests along Z.
 struct RestWatch {
-  std::vector<Rest> rests;
+  std::vector<StandingTime> rests;
   bool stood = false;
   void operator()(const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
