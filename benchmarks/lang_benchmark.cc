@@ -32,7 +32,7 @@ class EmptyTables : public Tables {
  public:
   [[nodiscard]] std::optional<AxisValues> work_offset(int) const override { return AxisValues{}; }
   [[nodiscard]] std::optional<Tool> tool(int) const override { return Tool{}; }
-  [[nodiscard]] AxisValues scheme_zero() const override { return {}; }
+  [[nodiscard]] MachineReading machine_reading() const override { return {}; }
   [[nodiscard]] AxisValues reference_point(int) const override { return {}; }
   [[nodiscard]] double common_variable(int) const override { return 0.0; }
   void set_common_variable(int, double) override {}

@@ -6,15 +6,12 @@
 #include "kinematics/scheme.h"
 
 namespace stanok::kinematics {
-namespace {
 
 Vector3<double> reading_per_mm(const LatheGeometry& geometry) {
   const double across = geometry.turret == Turret::front ? -1.0 : 1.0;
   const double counted = geometry.x_reading == XReading::diameter ? 2.0 : 1.0;
   return {across * counted, across, 1.0};
 }
-
-}  // namespace
 
 std::vector<SchemeKey> LatheGeometry::keys() {
   return {{"x_reading", Choice(x_reading, {"radius", "diameter"}),

@@ -24,6 +24,9 @@ struct LatheGeometry {
   [[nodiscard]] std::vector<SchemeKey> keys();
 };
 
+// What the machine's X, Y and Z count per mm of B: f_x, f_y, f_z.
+[[nodiscard]] Vector3<double> reading_per_mm(const LatheGeometry& geometry);
+
 // The map as a value, for schemes that ride on a lathe.
 class LatheShift {
  public:

@@ -77,6 +77,14 @@ void machine_from_workpiece(const Transform& transform, const AxisVector<Scalar>
 
 }  // namespace
 
+AxisVector<double> reading_per_mm(const SchemeConfig& config) {
+  AxisVector<double> reading;
+  reading.fill(1.0);
+  if (const auto* lathe = std::get_if<LatheGeometry>(&config.geometry))
+    linear_axes(config).set(reading_per_mm(*lathe), reading);
+  return reading;
+}
+
 bool takes_part(const SchemeConfig& config, int axis) {
   return axis >= 0 && std::ranges::find(config.axes, axis) != config.axes.end();
 }

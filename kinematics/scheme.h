@@ -56,6 +56,10 @@ struct SchemeConfig {
 // The zero that a scheme of this type and geometry has when its file gives none.
 [[nodiscard]] AxisVector<double> zero_default(const SchemeConfig& config);
 
+// What each machine axis counts per mm or deg of B: 1, -1 where it points the other way, twice that
+// where it counts diameters.
+[[nodiscard]] AxisVector<double> reading_per_mm(const SchemeConfig& config);
+
 // A type as the reader of scheme files knows it, with the geometry that a file without keys has.
 struct TypeOfScheme {
   std::string_view name;

@@ -394,6 +394,18 @@ ChannelTables::ChannelTables(LiveTables& live, const MachineConfig& machine,
   }
 }
 
+void ChannelTables::set_scheme(const kinematics::Scheme& scheme) {
+  scheme_ = &scheme;
+  reading_ = {};
+  const lang::AxisValues per_mm = kinematics::reading_per_mm(scheme.config());
+  for (std::size_t k = 0; k < axis_names_.size(); ++k) {
+    if (!scheme.takes_part(static_cast<int>(k))) continue;
+    reading_.zero[k] = scheme.config().zero[k];
+    reading_.per_mm[k] = per_mm[k];
+  }
+  axes_of_scheme_ = static_cast<lang::AxisSet>(scheme.participants());
+}
+
 // Angles of B are those of the axes without the zero of the scheme.
 lang::Alignment ChannelTables::alignment(const lang::AlignmentWish& wish) const {
   lang::Alignment answer;
@@ -403,7 +415,8 @@ lang::Alignment ChannelTables::alignment(const lang::AlignmentWish& wish) const 
   asked.from_B = {wish.from_B};
   asked.first = first_angle(wish.first);
   for (std::size_t k = 0; k < travel_.size(); ++k) {
-    asked.travel[k] = {travel_[k].min_deg - scheme_zero_[k], travel_[k].max_deg - scheme_zero_[k]};
+    asked.travel[k] = {travel_[k].min_deg - reading_.zero[k],
+                       travel_[k].max_deg - reading_.zero[k]};
   }
   const kinematics::DirectionChoice choice = kinematics::choose_direction(*scheme_, asked);
   answer.outcome = alignment_outcome(choice.outcome);
@@ -417,8 +430,8 @@ lang::Alignment ChannelTables::alignment(const lang::AlignmentWish& wish) const 
   answer.off_deg = choice.off_deg;
   if (!choice.axis.exists()) return answer;
   answer.axis = choice.axis;
-  answer.needed_deg = choice.needed_deg + scheme_zero_[choice.axis];
-  answer.limit_deg = choice.limit_deg + scheme_zero_[choice.axis];
+  answer.needed_deg = choice.needed_deg + reading_.zero[choice.axis];
+  answer.limit_deg = choice.limit_deg + reading_.zero[choice.axis];
   return answer;
 }
 

@@ -165,7 +165,7 @@ class ChannelTables final : public lang::Tables {
   [[nodiscard]] double work_offset_rotation(int number) const override;
   [[nodiscard]] std::optional<lang::Tool> tool(int number) const override;
   [[nodiscard]] std::optional<lang::Tool> tool_edge(int number, int edge) const override;
-  [[nodiscard]] lang::AxisValues scheme_zero() const override { return scheme_zero_; }
+  [[nodiscard]] lang::MachineReading machine_reading() const override { return reading_; }
   [[nodiscard]] lang::AxisValues reference_point(int which) const override;
   void store_reference_point(int which, const lang::AxisValues& point_M) override;
   [[nodiscard]] double common_variable(int number) const override {
@@ -184,11 +184,7 @@ class ChannelTables final : public lang::Tables {
       const lang::AxisValues& position_B) const override;
 
   // The scheme that is active from now on; it outlives the tables.
-  void set_scheme(const kinematics::Scheme& scheme) {
-    scheme_ = &scheme;
-    scheme_zero_ = scheme.config().zero;
-    axes_of_scheme_ = static_cast<lang::AxisSet>(scheme.participants());
-  }
+  void set_scheme(const kinematics::Scheme& scheme);
 
  private:
   LiveTables& live_;
@@ -196,7 +192,7 @@ class ChannelTables final : public lang::Tables {
   std::vector<std::string> axis_names_;
   AxisList<kinematics::AngleTravel> travel_;  // as the axes read it
   const kinematics::Scheme* scheme_ = nullptr;
-  lang::AxisValues scheme_zero_{};
+  lang::MachineReading reading_;
   lang::AxisSet axes_of_scheme_ = 0;
 };
 

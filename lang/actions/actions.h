@@ -158,8 +158,6 @@ void resolve_ends(const ActiveBlock& block, Move& move);
 void resolve_feed(ActiveBlock& block, Move& move);
 // The same, in a block without a feed law of its own.
 void resolve_modal_feed(ActiveBlock& block, Move& move);
-// Tool length along an axis, as far as it lies between the axis and the programmed point, mm.
-[[nodiscard]] double length_along(const ActiveBlock& block, const AxisDescription& axis);
 // The motion that goes on behind a drilling cycle, or is active.
 [[nodiscard]] CodeNumber motion_behind_cycle(const ModalState& modal);
 // Puts the programmed point to the end of `move`.

@@ -32,9 +32,9 @@ void change_length(ActiveBlock& block, ToolLength after) {
     return;
   }
   AxisValues distance_B{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const AxisIndex axis = block.channel_words.geometry_axis(k);
-    if (axis.exists()) distance_B[axis] = before.offset_mm[k] - after.offset_mm[k];
+  for (std::size_t k = 0; k < block.channel.axes.size(); ++k) {
+    distance_B[k] =
+        length_along(block, k, before.offset_mm) - length_along(block, k, after.offset_mm);
   }
   block.modal.shift_position(distance_B);
 }

@@ -148,11 +148,6 @@ void emit_parts(ActiveBlock& block, const std::vector<TurnedPart>& parts, Move& 
 
 }  // namespace
 
-double length_along(const ActiveBlock& block, const AxisDescription& axis) {
-  if (axis.geometry < 0 || axis.geometry > 2) return 0.0;
-  return block.modal.tool.length.offset_mm[AxisIndex(axis.geometry).place()];
-}
-
 void stop_at_block_end(ActiveBlock& block, CodeNumber) {
   block.end.stops = true;
 }
@@ -174,10 +169,12 @@ void resolve_ends(const ActiveBlock& block, Move& move) {
   move.end = block.modal.position_W;
   move.machine_coordinates = block.machine_coordinates;
   move.stop_at_end = block.end.stops;
+  const MachineReading reading = block.tables.machine_reading();
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
     if ((block.programmed & axis_bit(i)) == 0) continue;
     const AxisDescription& axis = block.channel.axes[i];
-    const double value = block.values[i];
+    const double value =
+        block.machine_coordinates ? block.values[i] * reading.counts(i) : block.values[i];
     const bool from_zero = (block.absolute & axis_bit(i)) != 0;
     const bool from_position = (block.incremental & axis_bit(i)) != 0;
     if (from_position || (block.modal.incremental() && !from_zero)) {
@@ -229,11 +226,12 @@ void advance_position(ActiveBlock& block, const Move& move) {
     block.modal.position_W = move.end;
     return;
   }
-  const AxisValues zero = block.tables.scheme_zero();
+  const MachineReading reading = block.tables.machine_reading();
   AxisValues position_B = block.modal.frame().base_from_work(block.modal.position_W);
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
     if ((move.words & axis_bit(i)) == 0) continue;
-    position_B[i] = move.end[i] - zero[i] - length_along(block, block.channel.axes[i]);
+    position_B[i] =
+        reading.in_base(i, move.end[i]) - length_along(block, i, block.modal.tool.length.offset_mm);
   }
   block.modal.adopt_position(position_B);
 }

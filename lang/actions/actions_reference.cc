@@ -45,9 +45,10 @@ void go(ActiveBlock& block, Move& move) {
 // A point of the work frame in M; not under TCP.
 AxisValues machine_from_work(const ActiveBlock& block, const AxisValues& point_W) {
   AxisValues position = block.modal.frame().base_from_work(point_W);
-  const AxisValues zero = block.tables.scheme_zero();
+  const MachineReading reading = block.tables.machine_reading();
   for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
-    position[i] += zero[i] + length_along(block, block.channel.axes[i]);
+    position[i] = reading.in_machine(
+        i, position[i] + length_along(block, i, block.modal.tool.length.offset_mm));
   }
   return position;
 }

@@ -168,11 +168,11 @@ void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
   }
   const AxisValues point_B = block.modal.frame().base_from_work(block.modal.position_W);
   const AxisValues wanted_B = wanted_base(block, frame);
-  const AxisValues zero = block.tables.scheme_zero();
+  const MachineReading reading = block.tables.machine_reading();
   AxisSet written = block.programmed;
   AxisValues lengths = machine_position(block);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    lengths[i] -= zero[i] + wanted_B[i];
+    lengths[i] = reading.in_base(i, lengths[i]) - wanted_B[i];
     if (std::abs(point_B[i] - wanted_B[i]) > position_noise)
       written = static_cast<AxisSet>(written | axis_bit(i));
   }

@@ -13,6 +13,14 @@ BlockFault& ActiveBlock::fail(std::string_view code, WordName word, std::string 
   return *told;
 }
 
+double length_along(const BlockSurroundings& around, AxisIndex axis,
+                    const std::array<double, 3>& lengths_mm) {
+  const int geometry = around.channel.axes[axis].geometry;
+  const bool takes_part = (around.tables.axes_of_scheme() & axis.bit()) != 0;
+  if (geometry < 0 || geometry > 2 || !takes_part) return 0.0;
+  return lengths_mm[AxisIndex(geometry).place()];
+}
+
 std::optional<int> ActiveBlock::integer(char letter, int smallest, int largest) {
   const double number = value(letter);
   if (is_integer(number) && number >= smallest - 0.5 && number <= largest + 0.5) {

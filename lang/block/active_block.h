@@ -77,6 +77,11 @@ struct BlockSurroundings {
   ContourSource* contours = nullptr;
 };
 
+// What of these lengths (X, Y, Z) lies between an axis and the programmed point, mm; 0 for axes
+// that have none, and for those that do not take part in the scheme.
+[[nodiscard]] double length_along(const BlockSurroundings& around, AxisIndex axis,
+                                  const std::array<double, 3>& lengths_mm);
+
 // How the motion of a block ends.
 struct BlockEnd {
   bool stops = false;            // G9

@@ -39,7 +39,9 @@ std::optional<double> point_parameter(int number, const BlockSurroundings& aroun
   }
   for (const auto& [which, first] : reference_parameters) {
     if (!is_in_block(number, first)) continue;
-    return coordinate(axis_at(number, first, around), around.tables.reference_point(which), around);
+    const AxisIndex axis = axis_at(number, first, around);
+    if (!axis.exists()) return 0.0;
+    return machine_as_programmed(around, axis, around.tables.reference_point(which)[axis]);
   }
   return std::nullopt;
 }
@@ -50,7 +52,8 @@ bool set_point_parameter(int number, double value, const BlockSurroundings& arou
     const AxisIndex axis = axis_at(number, first, around);
     if (!axis.exists()) return true;
     AxisValues point = around.tables.reference_point(which);
-    point[axis] = from_programmed(around, axis, value);
+    point[axis] =
+        from_programmed(around, axis, value) * around.tables.machine_reading().counts(axis);
     around.tables.store_reference_point(which, point);
     return true;
   }

@@ -65,10 +65,10 @@ double machine_position(const ParameterView& view) {
   const ToolLength& length = modal.tool.length;
   if (length.mode == LengthMode::tip || modal.transformation.axis >= 0)
     return std::numeric_limits<double>::quiet_NaN();
-  const int geometry = around.channel.axes[axis].geometry;
-  const double tool = geometry < 0 ? 0.0 : length.offset_mm[AxisIndex(geometry).place()];
+  const double tool = length_along(around, axis, length.offset_mm);
   const AxisValues position_B = modal.frame().base_from_work(modal.position_W);
-  return as_programmed(around, axis, position_B[axis] + around.tables.scheme_zero()[axis] + tool);
+  return machine_as_programmed(
+      around, axis, around.tables.machine_reading().in_machine(axis, position_B[axis] + tool));
 }
 
 double spindle_runs(const ParameterView& view) {
@@ -210,6 +210,10 @@ double tool_diameter(const BlockSurroundings& around) {
 
 double as_programmed(const BlockSurroundings& around, AxisIndex axis, double value) {
   return value / from_programmed(around, axis, 1.0);
+}
+
+double machine_as_programmed(const BlockSurroundings& around, AxisIndex axis, double value_M) {
+  return as_programmed(around, axis, value_M / around.tables.machine_reading().counts(axis));
 }
 
 double from_programmed(const BlockSurroundings& around, AxisIndex axis, double value) {

@@ -40,6 +40,9 @@ struct PredefinedParameter {
 [[nodiscard]] double programmed_position(const BlockSurroundings& around, AxisIndex axis);
 // A coordinate in mm or deg as an axis word would have it, and back.
 [[nodiscard]] double as_programmed(const BlockSurroundings& around, AxisIndex axis, double value);
+// Likewise of a place in M, which counts diameters on some machines.
+[[nodiscard]] double machine_as_programmed(const BlockSurroundings& around, AxisIndex axis,
+                                           double value_M);
 [[nodiscard]] double from_programmed(const BlockSurroundings& around, AxisIndex axis, double value);
 
 // The value of #number if it shows the state of the machine; nothing for the numbers that programs

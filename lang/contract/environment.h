@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -144,6 +145,24 @@ inline constexpr int kept_variables = kept_variable_place(haas_variable_last) + 
   return kept_variable_first;
 }
 
+// How the machine's axes count: M = per_mm * (B + length of the tool) + zero, mm and deg. The sign
+// of `per_mm` is that of the axis, its amount is 2 where the axis counts diameters.
+struct MachineReading {
+  AxisValues zero{};
+  AxisValues per_mm{};
+
+  MachineReading() { per_mm.fill(1.0); }
+
+  [[nodiscard]] double in_machine(AxisIndex axis, double with_length_B) const {
+    return per_mm[axis] * with_length_B + zero[axis];
+  }
+  [[nodiscard]] double in_base(AxisIndex axis, double machine) const {
+    return (machine - zero[axis]) / per_mm[axis];
+  }
+  // A place in M is `counts` times what a program has in mm.
+  [[nodiscard]] double counts(AxisIndex axis) const { return std::abs(per_mm[axis]); }
+};
+
 // The tables of the machine as the program sees them at this moment.
 class Tables {
  public:
@@ -158,8 +177,8 @@ class Tables {
   [[nodiscard]] virtual std::optional<Tool> tool_edge(int number, int edge) const {
     return edge == 1 ? tool(number) : std::nullopt;
   }
-  // Position of the scheme's base B in M, per axis of the channel (G53 without tip transformation).
-  [[nodiscard]] virtual AxisValues scheme_zero() const = 0;
+  // How the axes of the channel count in its active scheme, without tip transformation.
+  [[nodiscard]] virtual MachineReading machine_reading() const = 0;
   // Axes of the channel that take part in its active scheme.
   [[nodiscard]] virtual AxisSet axes_of_scheme() const { return static_cast<AxisSet>(~0U); }
   // Where the rotary axes of the active scheme have to stand for a direction of the tool.

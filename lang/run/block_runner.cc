@@ -326,10 +326,10 @@ bool BlockRunner::compensate() {
 // A block may ask for something before its own new length comes to the channel.
 void BlockRunner::adopt_position(const AxisValues& position_B) {
   AxisValues tip_B = position_B;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const AxisIndex axis = state_.channel_words.geometry_axis(k);
-    const double on_its_way = delivered_.offset_mm[k] - state_.modal.tool.length.offset_mm[k];
-    if (axis.exists() && on_its_way != 0.0) tip_B[axis] += on_its_way;
+  for (std::size_t k = 0; k < state_.channel.axes.size(); ++k) {
+    const double on_its_way = length_along(state_.around, k, delivered_.offset_mm) -
+                              length_along(state_.around, k, state_.modal.tool.length.offset_mm);
+    if (on_its_way != 0.0) tip_B[k] += on_its_way;
   }
   state_.modal.adopt_position(tip_B);
   compensation_.adopt_position();

@@ -47,7 +47,8 @@ bool MacroRequests::read() {
 void MacroRequests::read_machine(const MachineVariable& variable) {
   switch (variable.kind) {
     case Kind::machine_position:
-      pending_.expect_number(from_programmed(state_.around, variable.index, 1.0));
+      pending_.expect_number(from_programmed(state_.around, variable.index, 1.0) *
+                             state_.around.tables.machine_reading().counts(variable.index));
       return requests_.ask(machine_value("pos_mcs", variable.index));
     case Kind::work_position:
       position_axis_ = variable.index;

@@ -198,13 +198,12 @@ std::optional<double> modal_variable(int number, const ParameterView& view,
   }
 }
 
-// What these lengths are along an axis, in units of the program; 0 for axes that have none, and on
-// lathes, where the offset of a tool shifts the zero of the workpiece.
-double length_along(const BlockSurroundings& around, AxisIndex axis,
-                    const std::array<double, 3>& lengths_mm) {
-  const int geometry = around.channel.axes[axis.place()].geometry;
-  if (geometry < 0 || geometry > 2 || around.channel.kind == ChannelKind::lathe) return 0.0;
-  const double length_mm = lengths_mm[AxisIndex(geometry).place()];
+// What these lengths are along an axis, in units of the program; 0 on lathes, where the offset of a
+// tool shifts the zero of the workpiece.
+double programmed_length(const BlockSurroundings& around, AxisIndex axis,
+                         const std::array<double, 3>& lengths_mm) {
+  if (around.channel.kind == ChannelKind::lathe) return 0.0;
+  const double length_mm = length_along(around, axis, lengths_mm);
   return around.modal.inches() ? length_mm / mm_per_inch : length_mm;
 }
 
@@ -212,7 +211,7 @@ double length_along(const BlockSurroundings& around, AxisIndex axis,
 
 double position_with_tool(const BlockSurroundings& around, AxisIndex axis) {
   return programmed_position(around, axis) +
-         length_along(around, axis, around.modal.tool.length.offset_mm);
+         programmed_length(around, axis, around.modal.tool.length.offset_mm);
 }
 
 std::optional<double> system_variable(int number, const ParameterView& view,
@@ -222,7 +221,7 @@ std::optional<double> system_variable(int number, const ParameterView& view,
     return programmed_position(around, *axis);
   if (const auto axis = axis_at(number, skip_first, around.channel))
     return as_programmed(around, *axis, around.probe.position[*axis]) +
-           length_along(around, *axis, around.probe.tool_length_mm);
+           programmed_length(around, *axis, around.probe.tool_length_mm);
   if (const auto offset = offset_variable(number, around.channel)) {
     const AxisIndex axis = offset->index;
     const auto row = around.tables.work_offset(offset->value);
@@ -230,7 +229,7 @@ std::optional<double> system_variable(int number, const ParameterView& view,
   }
   if (const auto axis = axis_at(number, length_first, around.channel);
       axis && around.channel.kind != ChannelKind::lathe)
-    return length_along(around, *axis, around.modal.tool.length.offset_mm);
+    return programmed_length(around, *axis, around.modal.tool.length.offset_mm);
   constexpr int tool_in_spindle = 3026;
   if (rules.is_haas() && number == tool_in_spindle) return around.modal.tool.active;
   return modal_variable(number, view, rules);

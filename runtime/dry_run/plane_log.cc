@@ -42,10 +42,11 @@ void PlaneLog::note(const Place& place, const lang::AxisValues& from_B,
 
 std::vector<RotaryAngle> PlaneLog::angles(lang::AxisSet axes,
                                           const lang::AxisValues& angles_B) const {
-  const lang::AxisValues zero = tables_.scheme_zero();
+  const lang::MachineReading reading = tables_.machine_reading();
   std::vector<RotaryAngle> found;
   for (std::size_t k = 0; k < words_.size(); ++k) {
-    if ((axes & lang::axis_bit(k)) != 0) found.push_back({words_[k], angles_B[k] + zero[k]});
+    if ((axes & lang::axis_bit(k)) != 0)
+      found.push_back({words_[k], reading.in_machine(k, angles_B[k])});
   }
   return found;
 }

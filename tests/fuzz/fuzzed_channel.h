@@ -45,7 +45,7 @@ class SomeTables final : public Tables {
     tool.radius_mm = 0.5 * number;
     return tool;
   }
-  [[nodiscard]] AxisValues scheme_zero() const override { return {}; }
+  [[nodiscard]] MachineReading machine_reading() const override { return {}; }
   [[nodiscard]] AxisValues reference_point(int which) const override {
     return reference_.at(static_cast<std::size_t>(which - 1));
   }

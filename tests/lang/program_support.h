@@ -60,7 +60,8 @@ class MemoryTables : public Tables {
   std::map<int, double> rotations;
   std::map<int, AxisValues> reference;
   std::map<int, Tool> tools;
-  AxisValues zero{};
+  MachineReading reading;
+  AxisSet in_scheme = static_cast<AxisSet>(~0U);
 
   [[nodiscard]] std::optional<AxisValues> work_offset(int number) const override {
     const auto found = offsets.find(number);
@@ -71,7 +72,8 @@ class MemoryTables : public Tables {
     const auto found = tools.find(number);
     return found == tools.end() ? std::nullopt : std::optional(found->second);
   }
-  [[nodiscard]] AxisValues scheme_zero() const override { return zero; }
+  [[nodiscard]] MachineReading machine_reading() const override { return reading; }
+  [[nodiscard]] AxisSet axes_of_scheme() const override { return in_scheme; }
   // A head that B tilts about Y over a table that C turns about Z: the tool points to
   // (sin B cos C, -sin B sin C, cos B). B reaches 100 deg to both sides.
   [[nodiscard]] Alignment alignment(const AlignmentWish& wish) const override {

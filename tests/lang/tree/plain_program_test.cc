@@ -109,13 +109,46 @@ TEST_F(PlainProgram, ExecutesABlockInFixedOrder) {
 
 TEST_F(PlainProgram, MovesInMachineCoordinates) {
   tables.offsets[1] = {100.0, 0.0, 0.0};
-  tables.zero = {7.0, 0.0, 1000.0};
+  tables.reading.zero = {7.0, 0.0, 1000.0};
   const auto list = moves("G0 G53 X500\nG91 X1\nG90 G53 Z0\nM30\n");
   ASSERT_EQ(list.size(), 3u);
   EXPECT_TRUE(list[0].machine_coordinates);
   EXPECT_EQ(list[0].end[0], 500.0);
   EXPECT_EQ(list[1].end[0], 500.0 - 7.0 - 100.0 + 1.0);
   EXPECT_EQ(list[2].end[2], 0.0);
+}
+
+// A turret in front of the workpiece: its X axis points the other way, M = -(B + L) + zero.
+TEST_F(PlainProgram, MovesInMachineCoordinatesOfAnAxisThatPointsTheOtherWay) {
+  tables.reading.zero = {7.0, 0.0, 0.0};
+  tables.reading.per_mm[0] = -1.0;
+  const auto list = moves("G0 G53 X-128\nG91 X1\nG28.1\nM30\n");
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].end[0], -128.0);
+  EXPECT_EQ(list[1].end[0], 128.0 + 7.0 + 1.0);
+  EXPECT_EQ(tables.reference[1][0], -128.0 - 1.0);
+}
+
+// An axis that counts diameters: in M it is twice as far, whatever words the program has.
+TEST_F(PlainProgram, MovesInMachineCoordinatesOfAnAxisThatCountsDiameters) {
+  tables.reading.zero = {6.0, 0.0, 0.0};
+  tables.reading.per_mm[0] = 2.0;
+  const auto list = moves("G0 G53 X50\nG91 X1\nM30\n");
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].end[0], 100.0);
+  EXPECT_EQ(list[1].end[0], (100.0 - 6.0) / 2.0 + 1.0);
+}
+
+// A parked axis has no tool on it.
+TEST_F(PlainProgram, LengthsAreOnAxesOfTheSchemeOnly) {
+  tables.tools[1].length_mm = {0.0, 0.0, 90.0};
+  tables.in_scheme = 0b11;
+  run("G43 H1\nG28.1\nM30\n");
+  EXPECT_EQ(tables.reference[1][2], 0.0);
+  tables.in_scheme = 0b111;
+  const auto list = moves("G43 H1\nG91 G0 Z1\nM30\n");
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].end[2], -90.0 + 1.0);
 }
 
 TEST_F(PlainProgram, KeepsThePointWhileTheWorkOffsetChanges) {
