@@ -89,6 +89,7 @@ class DriveBench {
   }
   void program(const std::string& name, const std::string& text) { files_.write(name, text); }
   [[nodiscard]] channels::Machine& machine() { return assembly_.machine(); }
+  [[nodiscard]] const config::MachineFile& machine_file() { return assembly_.file(); }
 
   // Until the reply to `id`; its code, or "ok".
   std::string reply_to(std::uint64_t id, double within_s = 120.0) {

@@ -1,8 +1,5 @@
-// A line by hand is a block of a program; what is shown leads where the axes stand; a place where
-// the program waits changes nothing.
+// A line by hand is a block of a program; a place where the program waits changes nothing.
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 
 #include "tests/support/chain/operator_session.h"
 #include "tests/support/sanitized.h"
@@ -10,112 +7,100 @@
 namespace stanok::testing {
 namespace {
 
-class ByHand : public ::testing::TestWithParam<std::string> {};
+class ByHand : public ::testing::TestWithParam<HandPlace> {};
 
-std::string text_of(const std::vector<std::string>& lines) {
+std::string printed(const WordCounts& counts) {
   std::string text;
-  for (const std::string& line : lines) text += line + "\n";
+  for (const auto& [what, times] : counts) text += " " + what + " " + std::to_string(times) + ";";
   return text;
-}
-
-// Types up to `count` lines, as long as they are admitted; what was done.
-std::vector<std::string> type_lines(HandBench& bench, LineSource& source, int count) {
-  std::vector<std::string> lines{source.first()};
-  EXPECT_EQ(bench.type(lines[0]), "");
-  for (int n = 0; n < count; ++n) {
-    const std::string line = source.next(bench.shown());
-    if (!bench.type(line).empty()) break;  // beyond the travel, not with this mode
-    lines.push_back(line);
-  }
-  return lines;
 }
 
 // Axes, tables, frame, length, codes, tool and spindle after lines by hand, and after the same
 // lines as a program: the program is the reference.
 TEST_P(ByHand, LinesDoWhatTheSameLinesDoAsAProgram) {
-  const channels::MachineConfig machine = shipped_machine(GetParam());
-  const int sessions = cases(40);
-  int compared = 0;
-  std::map<std::string, int> drawn;
+  const channels::MachineConfig machine = GetParam().config();
+  const bool is_own = GetParam().dialect == lang::Dialect::stanok;
+  const int sessions = is_own ? cases(320) : cases(20);
+  std::size_t compared = 0;
+  WordCounts counts;
   for (int seed = 0; seed < sessions; ++seed) {
     SeededChoices choices(static_cast<std::uint64_t>(seed) + 5100);
-    LineSource source(machine, choices);
-    HandBench by_hand(machine);
-    std::vector<std::string> lines = type_lines(by_hand, source, 12);
-    for (const auto& [what, times] : source.drawn()) drawn[what] += times;
-    if (!by_hand.bench().machine().alarms().empty()) {
-      // The line that failed is none of them: the same up to it, typed once more.
-      HandBench again(machine);
-      for (const std::string& line : lines) ASSERT_EQ(again.type(line), "") << line;
-      HandBench program(machine);
-      ASSERT_EQ(program.run_to_stop(text_of(lines)), "") << text_of(lines);
-      EXPECT_EQ(difference(again.left(), program.left()), "") << "seed " << seed << "\n"
-                                                              << text_of(lines);
-    } else {
-      HandBench program(machine);
-      ASSERT_EQ(program.run_to_stop(text_of(lines)), "") << text_of(lines);
-      EXPECT_EQ(difference(by_hand.left(), program.left()), "") << "seed " << seed << "\n"
-                                                                << text_of(lines);
-    }
-    compared += static_cast<int>(lines.size());
-    if (HasFailure()) return;
+    OperatorSession session(machine, GetParam().channel, choices, counts);
+    session.type(12);
+    counts = session.counts();
+    HandBench program(machine, GetParam().channel);
+    ASSERT_EQ(program.run_to_stop(session.text()), "") << session.text();
+    ASSERT_EQ(difference(session.bench().left(), program.left()), "") << "seed " << seed << "\n"
+                                                                      << session.text();
+    compared += session.lines().size();
   }
-  std::cout << GetParam() << ": " << compared << " lines compared;";
-  for (const auto& [what, times] : drawn) std::cout << " " << what << " " << times;
-  std::cout << "\n";
-  EXPECT_GT(compared, 4 * sessions);
+  std::cout << GetParam().name() << ": " << compared << " lines compared;" << printed(counts)
+            << "\n";
+  EXPECT_GT(compared, static_cast<std::size_t>(sessions) * 6);
+  if (!is_own || is_sanitized) return;
+  for (const auto& [what, times] : counts) EXPECT_GE(times, 50) << what;
 }
 
-// After each line: the words that are shown, typed back in the units of the channel, move nothing.
-TEST_P(ByHand, TypingWhatIsShownMovesNothing) {
-  const channels::MachineConfig machine = shipped_machine(GetParam());
-  const int sessions = cases(20);
-  for (int seed = 0; seed < sessions; ++seed) {
-    SeededChoices choices(static_cast<std::uint64_t>(seed) + 5200);
-    LineSource source(machine, choices);
-    HandBench bench(machine);
-    std::vector<std::string> lines = type_lines(bench, source, 6);
-    if (!bench.bench().machine().alarms().empty()) continue;
-    const ChannelLeft before = bench.left();
-    const std::string back = bench.typed_back();
-    ASSERT_EQ(bench.type(back), "") << back << "\n" << text_of(lines);
-    const ChannelLeft after = bench.left();
-    for (std::size_t k = 0; k < before.axes_M.size(); ++k) {
-      EXPECT_NEAR(after.axes_M[k], before.axes_M[k], 1e-9)
-          << "seed " << seed << " axis " << k << " " << back << "\n"
-          << text_of(lines);
-    }
-    if (HasFailure()) return;
-  }
-}
+class SyncPoint {
+ public:
+  SyncPoint(lang::Dialect dialect, Choices& choices) : dialect_(dialect), choices_(choices) {}
 
-// What makes the axes stand and the program wait changes no position and no table.
+  // What makes the axes stand, or keeps what words mean and gives it back.
+  [[nodiscard]] std::string next() {
+    std::vector<std::string> points{"M1",       "sync ();", "M66 P0 L0",
+                                    "G4 P0",    "M70\nM72", "M70\n" + change() + "\nM72",
+                                    "M98 P9900"};
+    const std::string name = "kept" + std::to_string(++saved_);
+    points.push_back("string " + name + " = save_gvector (GV_ALL);\nrestore_gvector (" + name +
+                     ");");
+    if (dialect_ == lang::Dialect::fanuc || dialect_ == lang::Dialect::haas)
+      points = {"M1", "G4 P0", "#100=#5021", "#100=#5003", "M98 P9900"};
+    if (dialect_ == lang::Dialect::linuxcnc)
+      points = {"M1", "G4 P0", "M66 P0 L0", "#100=#5422", "M70\nM72", "O9900 call"};
+    return points[choices_.below(points.size())];
+  }
+  // Behind the end of the program.
+  [[nodiscard]] std::string subprograms() const {
+    if (dialect_ == lang::Dialect::linuxcnc) return "O9900 sub\nM73\nG91 G20\nO9900 endsub\n";
+    if (dialect_ != lang::Dialect::stanok) return "O9900\nM99\n";
+    return "O9900\nM73\nG91 G20\nM99\n";
+  }
+
+ private:
+  [[nodiscard]] std::string change() {
+    const std::vector<std::string> changes{"G91", "G20", "G90 G21", "F77", "G61", "M9"};
+    return changes[choices_.below(changes.size())];
+  }
+
+  lang::Dialect dialect_;
+  Choices& choices_;
+  int saved_ = 0;
+};
+
+// What makes the axes stand and the program wait changes no position, no table, no length.
 TEST_P(ByHand, ASyncPointChangesNothing) {
-  const channels::MachineConfig machine = shipped_machine(GetParam());
-  const int sessions = cases(20);
-  const std::vector<std::string> waits{"M1", "sync ();", "M66 P0 L0", "G4 P0", "M70\nM72"};
+  const channels::MachineConfig machine = GetParam().config();
+  const int sessions = cases(60);
   for (int seed = 0; seed < sessions; ++seed) {
     SeededChoices choices(static_cast<std::uint64_t>(seed) + 5300);
-    LineSource source(machine, choices);
-    HandBench by_hand(machine);
-    const std::vector<std::string> lines = type_lines(by_hand, source, 12);
-    std::vector<std::string> waiting;
-    for (const std::string& line : lines) {
-      waiting.push_back(line);
-      if (choices.chance(0.6)) waiting.push_back(waits[choices.below(waits.size())]);
+    OperatorSession session(machine, GetParam().channel, choices);
+    session.type(12);
+    SyncPoint points(GetParam().dialect, choices);
+    std::string waiting;
+    for (const std::string& line : session.lines()) {
+      waiting += line + "\n";
+      if (choices.chance(0.6)) waiting += points.next() + "\n";
     }
-    HandBench plain(machine);
-    HandBench with(machine);
-    ASSERT_EQ(plain.run_to_stop(text_of(lines)), "") << text_of(lines);
-    ASSERT_EQ(with.run_to_stop(text_of(waiting)), "") << text_of(waiting);
-    EXPECT_EQ(difference(plain.left(), with.left()), "") << "seed " << seed << "\n"
-                                                         << text_of(waiting);
-    if (HasFailure()) return;
+    HandBench plain(machine, GetParam().channel);
+    HandBench with(machine, GetParam().channel);
+    ASSERT_EQ(plain.run_to_stop(session.text()), "") << session.text();
+    ASSERT_EQ(with.run_to_stop(waiting, points.subprograms()), "") << waiting;
+    ASSERT_EQ(difference(plain.left(), with.left()), "") << "seed " << seed << "\n" << waiting;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, ByHand, ::testing::ValuesIn(machines_with_tools()),
-                         [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Shipped, ByHand, ::testing::ValuesIn(hand_places()),
+                         [](const auto& tested) { return tested.param.name(); });
 
 }  // namespace
 }  // namespace stanok::testing

@@ -8,18 +8,13 @@
 #include "config/files/machine_file.h"
 #include "lang/contract/active_codes.h"
 #include "tests/support/project_folders.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::testing {
 namespace {
 
 constexpr int cycles_max = 400000;
 constexpr double same = 1e-9;
-
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4f", value);
-  return text.data();
-}
 
 void compare(std::string& found, const std::string& what, double a, double b) {
   if (std::abs(a - b) <= same) return;
@@ -101,213 +96,71 @@ std::string difference(const ChannelLeft& a, const ChannelLeft& b) {
   if (a.mode != b.mode) found += "; mode of the point";
   compare(found, "tool", a.tool, b.tool);
   compare(found, "spindle", a.spindle_rev_per_min, b.spindle_rev_per_min);
-  if (a.codes != b.codes) {
-    found += "; codes";
-    for (std::size_t k = 0; k < std::min(a.codes.size(), b.codes.size()); ++k) {
-      if (a.codes[k] != b.codes[k]) found += " " + a.codes[k] + "/" + b.codes[k];
-    }
-  }
+  std::vector<std::string> codes;
+  std::set_symmetric_difference(a.codes.begin(), a.codes.end(), b.codes.begin(), b.codes.end(),
+                                std::back_inserter(codes));
+  for (const std::string& code : codes) found += "; " + code + " in one alone";
   return found;
 }
 
-LineSource::LineSource(const channels::MachineConfig& machine, Choices& choices)
-    : machine_(machine), channel_(machine.channels[0]), choices_(choices) {}
-
-std::string LineSource::first() const {
-  return "G21 G90 G94 F6000 S500";
-}
-
-std::size_t LineSource::place_of(const std::string& word) const {
-  const auto& words = channel_.words;
-  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-
-int LineSource::any_tool() {
-  std::vector<int> numbers;
-  for (const auto& tool : machine_.tables.tools) {
-    if (tool.edge == 1) numbers.push_back(tool.number);
+channels::MachineConfig HandPlace::config() const {
+  channels::MachineConfig config = shipped_machine(machine);
+  for (channels::ChannelConfig& one : config.channels) {
+    one.rules.dialect = dialect;
+    if (one.id == channel) one.scheme = scheme;
   }
-  return numbers[choices_.below(numbers.size())];
+  return config;
 }
 
-// Words of one to all of these letters that the channel has.
-std::string LineSource::words(const std::string& letters, double low, double high) {
-  std::string text;
-  for (const char letter : letters) {
-    const std::string word(1, letter);
-    const auto& all = channel_.words;
-    if (std::find(all.begin(), all.end(), word) == all.end()) continue;
-    if (!text.empty() && choices_.chance(0.5)) continue;
-    text += " " + word + number(choices_.between(low, high));
+std::string HandPlace::name() const {
+  std::string text = machine + "_" + std::to_string(channel);
+  if (scheme != 1) text += "_scheme" + std::to_string(scheme);
+  for (const auto& [of, called] :
+       {std::pair{lang::Dialect::fanuc, "_fanuc"}, std::pair{lang::Dialect::haas, "_haas"},
+        std::pair{lang::Dialect::linuxcnc, "_linuxcnc"}}) {
+    if (dialect == of) text += called;
   }
   return text;
 }
 
-std::string LineSource::any_of(const std::vector<std::string>& texts) {
-  return texts[choices_.below(texts.size())];
-}
-
-// From where the axes stand, mostly in their travel whatever the frame is.
-std::string LineSource::move(const lang::AxisValues& shown) {
-  const std::string code = choices_.chance(0.5) ? " G0" : " G1";
-  if (choices_.chance(0.4)) {
-    count("G91");
-    return "G91" + code + words("XYZ", -4.0, 4.0);
+std::vector<HandPlace> hand_places() {
+  std::vector<HandPlace> places;
+  for (const std::string& name : machines_with_tools()) {
+    for (const channels::ChannelConfig& channel : shipped_machine(name).channels) {
+      if (channel.kind == lang::ChannelKind::master) continue;
+      for (const auto& scheme : channel.schemes) places.push_back({name, channel.id, scheme.id});
+      if (channel.id != 1) continue;
+      for (const lang::Dialect dialect :
+           {lang::Dialect::fanuc, lang::Dialect::haas, lang::Dialect::linuxcnc})
+        places.push_back({name, channel.id, channel.schemes[0].id, dialect});
+    }
   }
-  std::string text = "G90" + code;
-  for (std::size_t k = 0; k < channel_.words.size(); ++k) {
-    const std::string& word = channel_.words[k];
-    const bool is_linear = word == "X" || word == "Y" || word == "Z";
-    if (!is_linear || choices_.chance(0.4)) continue;
-    text += " " + word + number(shown[k] + choices_.between(-4.0, 4.0));
+  if (!is_sanitized) return places;
+  std::vector<HandPlace> fewer;
+  std::size_t others = 0;
+  for (const HandPlace& place : places) {
+    const bool is_first = fewer.empty() || fewer.back().machine != place.machine;
+    if (is_first || others++ % 4 == 0) fewer.push_back(place);
   }
-  return text;
+  return fewer;
 }
 
-std::string LineSource::of_offsets() {
-  const int page = 1 + static_cast<int>(choices_.below(6));
-  const std::string p = " P" + std::to_string(page);
-  switch (choices_.below(7)) {
-    case 0:
-      count("G54");
-      return any_of({"G54", "G55", "G56", "G57", "G58", "G59", "G59.1"});
-    case 1:
-      count("G52");
-      return "G52" + words("XYZ", -5.0, 5.0);
-    case 2:
-      count("G92");
-      return "G92" + words("XYZ", -5.0, 5.0);
-    case 3:
-      count("G92");
-      return any_of({"G92.1", "G92.2", "G92.3"});
-    case 4:
-      count("G10 L2");
-      return "G10 L2" + p + words("XYZ", -5.0, 5.0);
-    default:
-      count("G10 L20");
-      return "G10 L20" + p + words("XYZ", -5.0, 5.0);
-  }
-}
-
-std::string LineSource::of_tools() {
-  const std::string tool = std::to_string(any_tool());
-  if (channel_.kind == lang::ChannelKind::lathe) {
-    count("T");
-    return "T0" + tool + any_of({"01", "01", "00"});
-  }
-  switch (choices_.below(12)) {
-    case 0:
-      count("G44");
-      return "G44 H" + tool;
-    case 1:
-      count("G43.1");
-      return "G43.1 Z" + number(choices_.between(-5.0, 5.0));
-    case 2:
-      count("G43.2");
-      return "G43.2 H" + tool;
-    case 3:
-      count("G43 H0");
-      return "G43 H0";
-    case 4:
-      count("G49");
-      return "G49";
-    case 5:
-      count("G10 L1");
-      return "G10 L1 P" + tool + " Z" + number(choices_.between(1.0, 60.0));
-    case 6:
-      count("G10 L10");
-      return "G10 L10 P" + tool + " Z" + number(choices_.between(-9.0, 9.0));
-    case 7:
-      count("G10 L11");
-      return "G10 L11 P" + tool + " Z" + number(choices_.between(-9.0, 9.0));
-    case 8:
-    case 9:
-      count("G43");
-      return "G43 H" + tool;
-    default:
-      count("T");
-      return "T" + tool + " M6";
-  }
-}
-
-std::string LineSource::of_frames() {
-  if (channel_.kind != lang::ChannelKind::mill) return "G4 P0.01";
-  switch (choices_.below(9)) {
-    case 0:
-      count("G68");
-      return "G68 X" + number(choices_.between(-5.0, 5.0)) + " Y" +
-             number(choices_.between(-5.0, 5.0)) + " R" + number(choices_.between(-60.0, 60.0));
-    case 1:
-    case 2:
-      count("G69");
-      return "G69";
-    case 3:
-      count("plane");
-      return "G68.2 X" + number(choices_.between(-5.0, 5.0)) + " Z" +
-             number(choices_.between(-5.0, 5.0)) + " I" + number(choices_.between(-30.0, 30.0)) +
-             " J" + number(choices_.between(-20.0, 20.0));
-    case 4:
-      count("G51");
-      return "G51 X0 Y0 P" + number(choices_.between(0.5, 2.0));
-    case 5:
-      count("G51.1");
-      return "G51.1 X" + number(choices_.between(-5.0, 5.0));
-    default:
-      count("G50");
-      return "G50 G50.1";
-  }
-}
-
-std::string LineSource::of_cycles(const lang::AxisValues& shown) {
-  const double z = shown[place_of("Z")];
-  switch (choices_.below(6)) {
-    case 0:
-      count("probe");
-      return "G91 G38.3 Z-2 F600";
-    case 1:
-      count("cycle");
-      return "G90 G81" + words("XY", -3.0, 3.0) + " Z" + number(z - 3.0) + " R" + number(z - 1.0);
-    case 2:
-      count("cycle");
-      return "G80";
-    case 3:
-      count("stored point");
-      return any_of({"G28.1", "G30.1"});
-    case 4:
-      count("stored point");
-      return any_of({"G91 G28 Z0", "G91 G30 Z0"});
-    default:
-      count("G53");
-      return "G53 G0 Z" + number(machine_.axes[channel_.axes[place_of("Z")]].start +
-                                 choices_.between(-3.0, 3.0));
-  }
-}
-
-std::string LineSource::of_modes() {
-  count("mode");
-  return any_of({"G20", "G21", "G21", "G17", "G90", "G91", "M8", "M9", "M7", "S600 M3", "M5", "G64",
-                 "G61", "F5000"});
-}
-
-std::string LineSource::next(const lang::AxisValues& shown) {
-  const double drawn = choices_.between(0.0, 1.0);
-  if (drawn < 0.35) return move(shown);
-  if (drawn < 0.55) return of_tools();
-  if (drawn < 0.75) return of_offsets();
-  if (drawn < 0.85) return of_frames();
-  if (drawn < 0.93 && channel_.kind == lang::ChannelKind::mill) return of_cycles(shown);
-  return of_modes();
-}
-
-HandBench::HandBench(channels::MachineConfig machine)
-    : machine_(std::move(machine)), bench_(machine_, {.on_at_start = true, .stops_go_on = false}) {
+HandBench::HandBench(channels::MachineConfig machine, int channel)
+    : machine_(std::move(machine)),
+      channel_(channel),
+      bench_(machine_, {.on_at_start = true, .stops_go_on = false}) {
   settle();
+}
+
+const channels::ChannelConfig& HandBench::channel() const {
+  return *std::find_if(machine_.channels.begin(), machine_.channels.end(),
+                       [this](const auto& one) { return one.id == channel_; });
 }
 
 void HandBench::settle() {
   for (int n = 0; n < cycles_max; ++n) {
     bench_.cycle();
-    if (bench_.machine().is_idle()) return;
+    if (bench_.machine().is_idle() || bench_.machine().waits_for_operator()) return;
   }
   ADD_FAILURE() << "the machine does not come to rest";
 }
@@ -328,19 +181,54 @@ std::string HandBench::wait(const std::function<bool()>& is_over) {
 }
 
 std::string HandBench::type(const std::string& line) {
-  bench_.ask(channels::OperatorAction::mdi, 1, line);
+  bench_.ask(channels::OperatorAction::mdi, channel_, line);
   bench_.cycle();
   const std::uint32_t run = now().run;
   return wait([&] { return now().run != run && bench_.machine().is_idle(); });
 }
 
-std::string HandBench::run_to_stop(const std::string& text) {
-  bench_.program("lines.nc", text + "\nM0\nM2\n");
-  bench_.run(1, "lines.nc");
+std::string HandBench::run_to_stop(const std::string& text, const std::string& subprograms) {
+  bench_.program("lines.nc", text + "\nM0\nM2\n" + subprograms);
+  bench_.run(channel_, "lines.nc");
   return wait([&] {
     return now().hold_cause == channels::HoldCause::program_stop &&
            bench_.machine().waits_for_operator();
   });
+}
+
+std::string HandBench::ask(const channels::CommandFields& command) {
+  const std::size_t replies = bench_.replies().size();
+  channels::OperatorEvent event;
+  event.channel = channel_;
+  event.command = channels::command_of(command).value();
+  bench_.ask(event);
+  settle();
+  for (std::size_t k = replies; k < bench_.replies().size(); ++k) {
+    const channels::OperatorReply& reply = bench_.replies()[k];
+    if (!reply.ok) return std::string(reply.code.view());
+  }
+  return "";
+}
+
+void HandBench::begin(const std::string& text, std::size_t cycles) {
+  bench_.program("lines.nc", text);
+  bench_.run(channel_, "lines.nc");
+  pass(cycles);
+}
+
+void HandBench::pass(std::size_t cycles) {
+  for (std::size_t n = 0; n < cycles; ++n) bench_.cycle();
+}
+
+channels::MachineConfig HandBench::kept() const {
+  channels::MachineConfig config = machine_;
+  config.tables = bench_.machine().tables();
+  for (const channels::ChannelConfig& channel : machine_.channels) {
+    const channels::ChannelOutput& output = bench_.channel(channel.id);
+    for (std::size_t k = 0; k < channel.axes.size(); ++k)
+      config.axes[channel.axes[k]].start = output.axes[k].position;
+  }
+  return config;
 }
 
 lang::AxisValues HandBench::shown() {
@@ -352,7 +240,7 @@ lang::AxisValues HandBench::shown() {
 std::string HandBench::typed_back() {
   constexpr double inch = 25.4;
   const lang::Meaning meaning = bench_.machine().situation(now()).meaning;
-  const channels::ChannelConfig& channel = machine_.channels[0];
+  const channels::ChannelConfig& channel = this->channel();
   const auto scheme = std::find_if(channel.schemes.begin(), channel.schemes.end(),
                                    [&](const auto& one) { return one.id == now().scheme; });
   const lang::AxisValues words = shown();
@@ -365,7 +253,8 @@ std::string HandBench::typed_back() {
     std::array<char, 40> value{};
     std::snprintf(value.data(), value.size(), "%.13f",
                   words[k] / (meaning.inches() && !is_rotary ? inch : 1.0));
-    line += " " + channel.words[k] + value.data();
+    const std::string& word = channel.words[k];
+    line += " " + word + (word.size() > 1 ? "=" : "") + value.data();
   }
   return line;
 }
@@ -374,7 +263,7 @@ ChannelLeft HandBench::left() {
   const channels::SituationReport situation = bench_.machine().situation(now());
   ChannelLeft left;
   const lang::AxisValues words = shown();
-  for (std::size_t k = 0; k < machine_.channels[0].axes.size(); ++k) {
+  for (std::size_t k = 0; k < channel().axes.size(); ++k) {
     const bool turns =
         now().drives[k].follows_velocity;  // a spindle: how long it does is no matter
     left.axes_M.push_back(turns ? 0.0 : now().axes[k].position);
@@ -386,15 +275,60 @@ ChannelLeft HandBench::left() {
   left.mode = now().point_mode;
   lang::ActiveCodes codes = situation.meaning.codes;
   for (const lang::Group passing :
-       {lang::Group::stop, lang::Group::state, lang::Group::input_output})
+       {lang::Group::stop, lang::Group::state, lang::Group::input_output, lang::Group::subprogram})
     codes[passing] = 0;
   for (const char letter : {'G', 'M'}) {
     for (const std::string& code : lang::names_of(codes, letter)) left.codes.push_back(code);
   }
+  std::sort(left.codes.begin(), left.codes.end());
   left.length = situation.meaning.terms->length;
   left.tool = now().tool.number;
   left.spindle_rev_per_min = now().process.spindles[0].rev_per_min;
   return left;
+}
+
+OperatorSession::OperatorSession(const channels::MachineConfig& machine, int channel,
+                                 Choices& choices, WordCounts counts)
+    : machine_(machine),
+      channel_(channel),
+      source_(machine, choices, channel, std::move(counts)),
+      lines_({source_.first()}) {
+  set_up_anew();
+}
+
+void OperatorSession::set_up_anew() {
+  bench_ = std::make_unique<HandBench>(machine_, channel_);
+  for (const std::string& line : lines_)
+    EXPECT_EQ(bench_->type(line), "") << line << "\n" << text();
+}
+
+void OperatorSession::type(int count) {
+  constexpr int tries = 8;
+  for (int n = 0, refused = 0; (n < count || source_.goes_on()) && refused < tries;) {
+    const std::string line = source_.next(bench_->shown());
+    if (bench_->type(line).empty()) {
+      lines_.push_back(line);
+      source_.taken();
+      ++n;
+      continue;
+    }
+    ++refused;
+    if (bench_->has_alarm()) set_up_anew();
+  }
+}
+
+void OperatorSession::forget() {
+  bench_ = std::make_unique<HandBench>(machine_, channel_);
+}
+
+void OperatorSession::restart() {
+  bench_ = std::make_unique<HandBench>(bench_->kept(), channel_);
+}
+
+std::string OperatorSession::text() const {
+  std::string text;
+  for (const std::string& line : lines_) text += line + "\n";
+  return text;
 }
 
 }  // namespace stanok::testing

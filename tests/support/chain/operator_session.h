@@ -1,21 +1,16 @@
-// Sessions of an operator: random lines by hand at a shipped machine, and the same lines as one
-// program.
-//
-// Each line is chosen where the axes stand then, so that most stay within the travel. A third of
-// the moves are incremental; all that gives words their meaning is changed between them: work
-// offsets, G52, G92, rotation, planes, scaling, mirror, units, lengths of every kind, tools, rows
-// of both tables, stored points, cycles and probing.
+// Sessions of an operator: random lines by hand at a shipped machine, and what they leave behind.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "channels/contract/machine_config.h"
-#include "tests/support/chain/random_program.h"
+#include "tests/support/chain/line_source.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::testing {
@@ -23,6 +18,22 @@ namespace stanok::testing {
 // Shipped machine files with a table of tools, without folder and ending.
 [[nodiscard]] std::vector<std::string> machines_with_tools();
 [[nodiscard]] channels::MachineConfig shipped_machine(const std::string& name);
+
+// A channel of such a machine in one of its schemes, its programs in one of the dialects.
+struct HandPlace {
+  std::string machine;
+  int channel = 1;
+  int scheme = 1;
+  lang::Dialect dialect = lang::Dialect::stanok;
+
+  [[nodiscard]] channels::MachineConfig config() const;
+  [[nodiscard]] std::string name() const;
+  friend void PrintTo(const HandPlace& place, std::ostream* out) { *out << place.name(); }
+};
+// All channels that move axes, in each of their schemes, in the dialect of stanok; and the first
+// one of each machine in the others. With a sanitizer the first of each machine, and a fourth of
+// all others.
+[[nodiscard]] std::vector<HandPlace> hand_places();
 
 // How a channel is left: what an operator sees of it and what the next line depends on.
 struct ChannelLeft {
@@ -40,62 +51,73 @@ struct ChannelLeft {
 // In words, what differs; empty: nothing does (mm, deg: 1e-9).
 [[nodiscard]] std::string difference(const ChannelLeft& a, const ChannelLeft& b);
 
-// Draws lines for channel 1 of a machine, and counts what it has drawn.
-class LineSource {
- public:
-  LineSource(const channels::MachineConfig& machine, Choices& choices);
-
-  // The first line of a session: a state that the kind of machine does not matter for.
-  [[nodiscard]] std::string first() const;
-  // `shown`: the words that lead to where the axes stand.
-  [[nodiscard]] std::string next(const lang::AxisValues& shown);
-  // What was drawn, by the word that stands for its class.
-  [[nodiscard]] const std::map<std::string, int>& drawn() const { return drawn_; }
-
- private:
-  [[nodiscard]] std::string move(const lang::AxisValues& shown);
-  [[nodiscard]] std::string of_offsets();
-  [[nodiscard]] std::string of_tools();
-  [[nodiscard]] std::string of_frames();
-  [[nodiscard]] std::string of_cycles(const lang::AxisValues& shown);
-  [[nodiscard]] std::string of_modes();
-  [[nodiscard]] std::string words(const std::string& letters, double low, double high);
-  [[nodiscard]] std::string any_of(const std::vector<std::string>& texts);
-  [[nodiscard]] int any_tool();
-  [[nodiscard]] std::size_t place_of(const std::string& word) const;
-  void count(const std::string& what) { ++drawn_[what]; }
-
-  const channels::MachineConfig& machine_;
-  const channels::ChannelConfig& channel_;
-  Choices& choices_;
-  std::map<std::string, int> drawn_;
-};
-
-// A machine in memory that is worked by hand.
+// A machine in memory that is worked by hand, at one of its channels.
 class HandBench {
  public:
-  explicit HandBench(channels::MachineConfig machine);
+  explicit HandBench(channels::MachineConfig machine, int channel = 1);
 
   // Types a line and waits until it is done; the code of what went wrong, or nothing.
   [[nodiscard]] std::string type(const std::string& line);
-  // Runs the text up to its M0 and holds there; the code of the alarm, or nothing.
-  [[nodiscard]] std::string run_to_stop(const std::string& text);
-  // Until nothing happens any more.
+  // Runs the text up to an M0 behind it and holds there; the code of the alarm, or nothing.
+  // `subprograms` come behind the end.
+  [[nodiscard]] std::string run_to_stop(const std::string& text,
+                                        const std::string& subprograms = "");
+  // Asks for something and waits until nothing happens any more; the code of a refusal, or nothing.
+  [[nodiscard]] std::string ask(const channels::CommandFields& command);
+  // Begins a program and lets so many cycles pass.
+  void begin(const std::string& text, std::size_t cycles);
+  // Until nothing happens any more, or nothing without the operator.
   void settle();
+  // Lets cycles pass.
+  void pass(std::size_t cycles);
+  // The machine as it would be set up after power was off: tables and places of its axes.
+  [[nodiscard]] channels::MachineConfig kept() const;
 
   [[nodiscard]] ChannelLeft left();
-  // The words that lead to where the axes stand, as the display has them; and those of a way.
+  // The words that lead to where the axes stand, as the display has them.
   [[nodiscard]] lang::AxisValues shown();
   // A line that types them back, in the units of the channel.
   [[nodiscard]] std::string typed_back();
   [[nodiscard]] MachineBench& bench() { return bench_; }
-  [[nodiscard]] const channels::ChannelOutput& now() const { return bench_.channel(1); }
+  [[nodiscard]] const MachineBench& bench() const { return bench_; }
+  [[nodiscard]] const channels::MachineConfig& machine() const { return machine_; }
+  [[nodiscard]] const channels::ChannelConfig& channel() const;
+  [[nodiscard]] const channels::ChannelOutput& now() const { return bench_.channel(channel_); }
+  [[nodiscard]] bool has_alarm() { return !bench_.machine().alarms().empty(); }
 
  private:
   [[nodiscard]] std::string wait(const std::function<bool()>& is_over);
 
   channels::MachineConfig machine_;
+  int channel_;
   MachineBench bench_;
+};
+
+// An operator at a channel who types random lines. A line that the machine refuses, or at which it
+// fails, is none: the machine is set up anew by what it took before.
+class OperatorSession {
+ public:
+  OperatorSession(const channels::MachineConfig& machine, int channel, Choices& choices,
+                  WordCounts counts = {});
+
+  void type(int count);
+  // A machine that was never worked at, in place of this one; one that was switched off and on.
+  void forget();
+  void restart();
+  // What the machine took, in their order, and as a program.
+  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] HandBench& bench() { return *bench_; }
+  [[nodiscard]] const WordCounts& counts() const { return source_.counts(); }
+
+ private:
+  void set_up_anew();
+
+  const channels::MachineConfig& machine_;
+  int channel_;
+  LineSource source_;
+  std::vector<std::string> lines_;
+  std::unique_ptr<HandBench> bench_;
 };
 
 }  // namespace stanok::testing

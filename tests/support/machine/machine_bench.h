@@ -77,6 +77,7 @@ class MachineBench {
                   int cycles_max = 200000);
 
   [[nodiscard]] channels::Machine& machine() { return *machine_; }
+  [[nodiscard]] const channels::Machine& machine() const { return *machine_; }
   [[nodiscard]] const channels::CycleOutput& output() const { return output_; }
   [[nodiscard]] const channels::ChannelOutput& channel(int id) const;
   [[nodiscard]] std::vector<std::string> alarm_codes() const;
