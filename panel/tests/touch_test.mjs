@@ -88,6 +88,55 @@ test('a value that was written in another situation is not taken', async () => {
   await stands('Z', 250);
 });
 
+test('each number of the display tells where it comes from', async () => {
+  await show('machine');
+  await page.getByText('Where do these numbers come from?').click();
+  const origin = page.locator('[data-origin=X]');
+  await origin.getByText('Machine position X', { exact: true }).waitFor();
+  await origin.getByText('Diameter G7 *', { exact: true }).waitFor();
+  const z = page.locator('[data-origin=Z]');
+  await z.getByText('Work offset G54', { exact: true }).waitFor();
+  const told = await stage.client.call('channel.position', { channel: 1, why: 1 });
+  for (const { word, shown, terms } of told.axes.filter(({ word }) => word !== 'C')) {
+    const sum = terms.reduce((all, { amount }) => all + amount, 0);
+    assert.ok(Math.abs(sum - shown) < 1e-9, word);
+    const rows = page.locator(`[data-origin=${word}] tbody tr`);
+    assert.equal(await rows.count(), terms.length, word);
+    assert.match(await rows.last().innerText(), new RegExp(`${shown.toFixed(3)}\\s*$`));
+  }
+  assert.deepEqual(await findings(page), []);
+  await page.getByText('Where do these numbers come from?').click();
+});
+
+test('a line that was written in another situation is not done', async () => {
+  const line = page.getByPlaceholder('G0 Z50');
+  const press = page.getByLabel('Line by hand').getByRole('button', { name: 'Run', exact: true });
+  const { position } = await stage.status();
+  await line.fill('G91 G0 Z1');
+  await mdi('G18');
+  const shown = (await stage.status()).situation;
+  await page.getByText('G18', { exact: true }).first().waitFor();
+  await press.click();
+  await page
+    .getByRole('alert')
+    .getByText(/Not done: codes, tool or tables/)
+    .waitFor();
+  assert.deepEqual((await stage.status()).position, position);
+  assert.equal((await stage.status()).situation, shown);
+  await press.click();
+  await stands('Z', position.Z + 1);
+  await mdi('G90 G0 Z250');
+});
+
+test('a block search tells words, diameters with their mark', async () => {
+  writeFileSync(join(stage.programs, 'words.nc'), 'G7 G0 X60 Z200\nN20 G0 X80\nN30 Z210\nM30\n');
+  await stage.client.call('program.load', { program: 'words.nc', channel: 1 });
+  await page.getByText('Begin in the middle, single block, skip').click();
+  await page.getByLabel('Begin at line, N number, or file:line').fill('N30');
+  await page.getByRole('button', { name: 'Search', exact: true }).click();
+  await page.getByText(/X Ø 80\.000 mm/).waitFor();
+});
+
 test('the line of another file has its name, and its text is shown', async () => {
   const main = '#include "called.nc"\nG0 Z200\nway();\nM30\n';
   writeFileSync(join(stage.programs, 'main.nc'), main);
