@@ -29,8 +29,8 @@ TEST(PositionReport, NamesTheTermsOfEachWord) {
   EXPECT_FALSE(plain["axes"][0].contains("terms"));
   const json told = answer(bench, "channel.position", {{"why", 1}});
   const json& x = told["axes"][0];
-  EXPECT_EQ(names_of(x), (std::vector<std::string>{"machine position of X",
-                                                   "zero of scheme 1 (cartesian)"}));
+  EXPECT_EQ(names_of(x),
+            (std::vector<std::string>{"machine position of X", "zero of scheme 1 (cartesian)"}));
   EXPECT_EQ(x["terms"][1]["amount"], 300.0);
   EXPECT_EQ(x["terms"][1]["fixed"], true);
   EXPECT_EQ(x["shown"], told["position"]["X"]);
