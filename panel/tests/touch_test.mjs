@@ -148,3 +148,82 @@ test('the line of another file has its name, and its text is shown', async () =>
   await page.getByText('G94 G1 F300 Z150').waitFor();
   await stage.client.call('program.stop', { channel: 1 });
 });
+
+// What the page must show of a status, and what it shows.
+const wanted = (status) => ({
+  place: `line ${status.line}`,
+  codes: [...status.g_codes, ...status.m_codes],
+  tool: status.tool.number,
+  speed: Math.round(status.spindles[0].commanded_rev_min),
+  X: status.position.X.toFixed(3),
+  Z: status.position.Z.toFixed(3),
+});
+async function shown() {
+  const card = page.locator('article').first();
+  const value = async (name) =>
+    parseInt(
+      await card
+        .locator('dl div', { hasText: new RegExp(`^${name}`) })
+        .locator('dd')
+        .innerText(),
+    );
+  const work = (word) => page.locator(`[data-axis=${word}] .work`).innerText();
+  return {
+    place: await card.locator('.line').innerText(),
+    codes: await page.getByLabel('Codes in force').locator('li').allInnerTexts(),
+    tool: await value('T'),
+    speed: await value('S'),
+    X: await work('X'),
+    Z: await work('Z'),
+  };
+}
+async function sameAtStop(what, standing) {
+  await until(`${what}: the channel stands`, async () => standing(await stage.status()));
+  const status = await stage.status();
+  let found;
+  await until(`${what} on the page: ${JSON.stringify(wanted(status))}`, async () => {
+    found = await shown();
+    return JSON.stringify(found) === JSON.stringify(wanted(status));
+  });
+  return status;
+}
+
+test('at a stop of each kind the page shows what the status says', async () => {
+  await mdi('G21 G90 G94');
+  const lines = [
+    'G21 G90 G18 G7 G54',
+    'T0101',
+    'G97 S400 M3',
+    'M8',
+    'G0 X60 Z200',
+    'M0',
+    'M9',
+    'G55',
+  ];
+  lines.push('M1', 'G0 X70 M5', 'G91 G94 G1 Z-20 F600', 'M30');
+  writeFileSync(join(stage.programs, 'stops.nc'), lines.join('\n') + '\n');
+  const call = (method, parameters = {}) =>
+    stage.client.call(method, { channel: 1, ...parameters });
+  const held = (line, by) => (status) =>
+    status.state === 'Interrupted' && status.line === line && status.held_by === by;
+  await call('program.optional_stop', { on: 1 });
+  await call('program.run', { program: 'stops.nc' });
+  const stopped = await sameAtStop('M0', held(6, 'program stop'));
+  assert.deepEqual(stopped.coolant, ['flood']);
+  await call('program.start');
+  await sameAtStop('M1', held(9, 'program stop'));
+  await call('program.start');
+  await until('the last way', async () => {
+    const { line, to_go: toGo } = await stage.status();
+    return line === 11 && toGo.Z > -18;
+  });
+  await call('program.hold');
+  const by = 'feed hold by an operator';
+  await sameAtStop('hold', (status) => held(11, by)(status) && status.speed_mm_s === 0);
+  await call('program.step', { on: 1 });
+  await call('program.resume');
+  await sameAtStop('single block', held(11, 'single block'));
+  await call('program.step', { on: 0 });
+  await call('program.start');
+  await sameAtStop('end', (status) => status.state === 'Reset');
+});
