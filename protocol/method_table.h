@@ -21,8 +21,9 @@ enum class Role : std::uint8_t { observer, machine_operator, programmer, integra
 enum class ParameterType : std::uint8_t { integer, number, text, choice, text_list };
 enum class Presence : std::uint8_t { optional, required };
 // Where the parameter stands on the command line of `stanok`.
-// A file is named there, "-" is the standard input, and its text is the parameter's value.
-enum class Spelling : std::uint8_t { option, positional, file };
+// A file is named there, "-" is the standard input, and its text is the parameter's value; a flag
+// is an option without a value, which stands for 1.
+enum class Spelling : std::uint8_t { option, positional, file, flag };
 // Which field of a MachineRequest the parameter fills (protocol/machine_request.h).
 // A choice that carries a number is its place among the choices, from 0.
 enum class Carries : std::uint8_t {

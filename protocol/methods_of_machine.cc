@@ -13,6 +13,16 @@ constexpr Parameter control{.name = "on",
                             .maximum = 1,
                             .help = "1 (default): take control; 0: give it back"};
 
+constexpr Parameter position_why{.name = "why",
+                                 .type = ParameterType::integer,
+                                 .spelling = Spelling::flag,
+                                 .minimum = 0,
+                                 .maximum = 1,
+                                 .help =
+                                     "1: with all that lies between the machine position and "
+                                     "each word: zero of the scheme, offsets, lengths, turns"};
+
+constexpr std::array of_position{position_why, channel};
 constexpr std::array of_control{control, channel};
 constexpr std::array of_watch{channel, rate};
 
@@ -52,6 +62,14 @@ constexpr auto machine_rows = std::to_array<Method>({
      .parameters = of_channel,
      .help = "state, program, block, position, feed and overrides of a channel",
      .result = R"("$channel")"},
+    {.name = "channel.position",
+     .parameters = of_position,
+     .help = "words that lead to where the channel stands, and where they come from",
+     .result = R"({"channel":"integer","situation":"integer","scheme":"integer",
+      "units":"string","diameter":["string"],"position":"$numbers","point_W":"$numbers",
+      "axes":[{"word":"string","axis":"string","unit":"string","machine":"number",
+        "shown":"number","terms?":[{"term":"string","name":"string","of":"string","amount":"number",
+          "value":"number","fixed":"boolean"}]}]})"},
     {.name = "channel.control",
      .role = machine_operator,
      .effect = Effect::changes,

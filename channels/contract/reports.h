@@ -64,13 +64,16 @@ template <class Report>
   return count;
 }
 
-// What a search came to, for people. Positions in the order of the words, workpiece system.
+// What a search came to, for people. Positions as words in what the block found is read in, and the
+// point, in the order of the words.
 struct SearchReport {
   std::string file;
   std::uint32_t line = 0;
   std::vector<std::string> words;
   std::vector<double> position;   // programmed at the target; empty: not calculated
-  std::vector<double> stands_at;  // the axes now, in the same system
+  std::vector<double> point_W;    // likewise, in the workpiece system: radii
+  std::vector<double> stands_at;  // the axes now, as words there
+  lang::Meaning meaning;          // of the words
   lang::SearchState state;
 };
 

@@ -75,8 +75,10 @@ void Channel::forget_path() RT_SAFE {
   arrivals_.begin_anew(items);
 }
 
-// A step that is awaited and begins on the path: the first block that is closed.
+// A step that is awaited and begins on the path: the first block that is closed. Where an item
+// comes first that one is the step.
 void Channel::take_step() RT_SAFE {
+  if (motion.path().chunks_done >= items_.chunk_limit()) return;
   constexpr std::size_t segments_seen = 2;
   const auto& segments = link.path.segments;
   Stepper& stepper = run.stepper();
@@ -134,13 +136,16 @@ void Channel::control_force() RT_SAFE {
     run.hold(HoldCause::sensor_fault);
 }
 
-// A path that came too fast to a gate runs on to the end of the block behind it.
+// A path that came too fast to a gate runs on to the end of the block behind it. A step is over
+// when its items are done, too: a spindle has its speed.
 void Channel::stop_at_step() RT_SAFE {
   const motion::InterpolatorOutput& path = motion.path();
   Stepper& stepper = run.stepper();
   if (path.tag.run == runs.run() && path.tag.block >= stepper.closed_from_block())
     stepper.pass(path.tag);
-  const bool is_at_step = path.at_gate && closed_from_block() == stepper.closed_from_block();
+  const bool is_done = items_.is_idle() && !stepper.awaits_next();
+  const bool is_at_step =
+      is_done && path.at_gate && closed_from_block() == stepper.closed_from_block();
   if (is_at_step && state().situation() == Situation::running) run.hold(HoldCause::single_block);
 }
 

@@ -45,6 +45,12 @@ bool is_of_program(const ItemContent& content) RT_SAFE {
                       lang::ProgramStop, ProbeBegin, Request, RunEnd>(content);
 }
 
+// In single block; frames and the like take effect with the step behind them, so that a stop shows
+// the block that was done and not the next one.
+bool may_begin(const Item& item, Stepper& stepper) RT_SAFE {
+  return is_of_program(item.content) ? stepper.admits(item.tag) : stepper.lets_through(item.tag);
+}
+
 }  // namespace
 
 struct ItemWorker::Execution {
@@ -172,8 +178,7 @@ void ItemWorker::advance() RT_SAFE {
     const Item& next = items.front();
     if (parts_.motion.path().chunks_done < next.after_chunk) return;
     if (parts_.link.riders.popped() < next.after_rider) return;
-    if (is_of_program(next.content) && !parts_.run.stepper().admits(next.tag))
-      return parts_.run.hold(HoldCause::single_block);
+    if (!may_begin(next, parts_.run.stepper())) return parts_.run.hold(HoldCause::single_block);
     static_cast<void>(items.pop(item_));
     if (item_.tag.line != 0 && item_.tag.run == parts_.runs.run()) now_ = item_.tag;
     visit_in_cycle(Execution{*this, parts_, item_.tag}, item_.content);

@@ -41,6 +41,11 @@ class Stepper {
     return true;
   }
 
+  // Whether what is no step by itself and has this tag may take effect: it goes before its step.
+  [[nodiscard]] bool lets_through(const motion::BlockTag& tag) const RT_SAFE {
+    return !on_ || awaits_next_ || tag.run != step_.run || tag.block <= step_.block;
+  }
+
   // The path went into a block before it could stop.
   void pass(const motion::BlockTag& tag) RT_SAFE { step_ = tag; }
 

@@ -76,7 +76,7 @@ Diagnostic unreachable_pose(const motion::Unreachable& pose, const ChannelConfig
   const std::string axis = axis_word(channel, pose.axis);
   Diagnostic diagnostic;
   diagnostic.code = "E5101";
-  diagnostic.message = "axis " + axis + " would go to " + number(pose.position) +
+  diagnostic.message = "axis " + axis + " would go to machine position " + number(pose.position) +
                        ", its limit is " + number(pose.limit);
   diagnostic.help = {"check work offset, tool length and kinematic scheme, or move the workpiece"};
   return diagnostic;

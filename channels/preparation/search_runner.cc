@@ -34,6 +34,7 @@ SearchRunner::Result SearchRunner::look(const BlockSearch& search,
   target->passes = search.passes;
   const auto place = lang::find_place(*program, *target);
   if (!place) return fail(place.error());
+  static_cast<void>(parts_.interpreter.take_meanings());  // of a run before
   search_.emplace();
   search_->place = *place;
   search_->calculates = search.way == SearchWay::calculated;
@@ -114,11 +115,19 @@ SearchRunner::Result SearchRunner::arrive() {
   report.file = lang::file_name(*parts_.program, search_->place.file);
   report.line = search_->place.line;
   report.words = parts_.config.words;
-  const motion::Point end = parts_.feed.blocks().programmed(target);
-  const motion::Point start = parts_.feed.blocks().programmed(parts_.feed.blocks().position_W());
-  const auto count = static_cast<std::ptrdiff_t>(parts_.config.words.size());
-  if (search_->calculates) report.position.assign(end.begin(), end.begin() + count);
-  report.stands_at.assign(start.begin(), start.begin() + count);
+  // The last one is that of the target; its start notes one at least.
+  for (lang::MeaningChange& change : parts_.interpreter.take_meanings())
+    report.meaning = std::move(change.meaning);
+  const auto values_of = [&](const lang::AxisValues& values) {
+    const auto count = static_cast<std::ptrdiff_t>(report.words.size());
+    return std::vector<double>(values.begin(), values.begin() + count);
+  };
+  if (search_->calculates) {
+    report.position = values_of(lang::words_at(report.meaning, {target}));
+    report.point_W = values_of({target});
+  }
+  const motion::Point& now_W = parts_.feed.blocks().position_W();
+  report.stands_at = values_of(lang::words_at(report.meaning, {now_W}));
   report.state = search_->collector.state();
   parts_.reports.tell_search(parts_.config.id, report);
   return Result::found;

@@ -272,6 +272,28 @@ std::string position_text(const json& status) {
   return line.empty() ? "-" : line;
 }
 
+std::string origin_text(const json& result, const Terminal& terminal) {
+  std::string text;
+  TextTable words({"word", "shown", "machine"});
+  bool has_terms = false;
+  for (const json& axis : member(result, "axes")) {
+    const std::string word = shown_word(result, cell_text(member(axis, "word")));
+    if (!has(axis, "terms")) {
+      words.add_row({word, coordinate(axis["shown"]), coordinate(axis["machine"])});
+      continue;
+    }
+    has_terms = true;
+    TextTable terms({word, "adds", "makes", ""});
+    for (const json& term : axis["terms"]) {
+      terms.add_row({cell_text(member(term, "name")), coordinate(member(term, "amount")),
+                     coordinate(member(term, "value")),
+                     member(term, "fixed") == false ? "as the axes stand" : ""});
+    }
+    text += (text.empty() ? "" : "\n") + terms.text(terminal);
+  }
+  return has_terms ? text : words.text(terminal);
+}
+
 std::vector<json> channels_in_order(const json& channels) {
   std::vector<json> ordered(channels.begin(), channels.end());
   std::stable_sort(ordered.begin(), ordered.end(),

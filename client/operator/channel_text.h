@@ -18,6 +18,10 @@ namespace stanok::client {
 // The values of an object by axes or words, in the order of the channel: "X 1.5000  Y -2".
 [[nodiscard]] std::string position_text(const nlohmann::json& status);
 
+// The answer to channel.position: a word a line, or, where the answer has them, a table for each
+// word with the terms that lead to it.
+[[nodiscard]] std::string origin_text(const nlohmann::json& result, const Terminal& terminal);
+
 // The channels of a subscription, by their numbers: as text "10" would come before "2".
 [[nodiscard]] std::vector<nlohmann::json> channels_in_order(const nlohmann::json& channels);
 

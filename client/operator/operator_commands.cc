@@ -156,6 +156,12 @@ void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& 
                                 : "wait until the work is done");
     return;
   }
+  if (parameter.spelling == protocol::Spelling::flag) {
+    auto& words = given.values[std::string(parameter.name)];
+    command.add_flag_callback(
+        option_name(parameter), [&words] { words = {"1"}; }, help_text(parameter));
+    return;
+  }
   const bool is_option = parameter.spelling == protocol::Spelling::option;
   const std::string name = is_option ? option_name(parameter) : upper(parameter.name);
   auto* option =

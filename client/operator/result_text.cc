@@ -206,6 +206,7 @@ int result_exit_code(const json& result) {
 std::string result_text(std::string_view method, const json& result, const Terminal& terminal) {
   if (result == json{{"accepted", true}}) return "";
   if (method == "channel.status") return channel_text(result, terminal);
+  if (method == "channel.position") return origin_text(result, terminal);
   if (method.starts_with("queue.")) return queues_text(result, terminal);
   if (method == "offset.list") return offsets_text(result, terminal);
   if (method == "tool.save") return result.value("tables", "");

@@ -10,6 +10,7 @@
 #include "daemon/desk/unix_time.h"
 #include "daemon/report/drive_report.h"
 #include "daemon/report/inventory.h"
+#include "daemon/report/position_report.h"
 #include "daemon/scope/scope_desk.h"
 #include "protocol/discovery.h"
 #include "protocol/json_text.h"
@@ -83,6 +84,11 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
       {"channel.list", [](Dispatch& d, const json&) { return d.report_.channel_list(); }},
       {"channel.status",
        [](Dispatch& d, const json& p) { return d.report_.channel(d.channel_or_first(p)); }},
+      {"channel.position",
+       [](Dispatch& d, const json& p) {
+         const WordTerms terms = p.value("why", 0) != 0 ? WordTerms::all : WordTerms::none;
+         return position_report(d.machine_, d.channel_or_first(p), terms);
+       }},
       {"channel.control", [](Dispatch& d, Call call) { d.control_channel(std::move(call)); }},
       {"channel.watch",
        [](Dispatch& d, const Call& call) {

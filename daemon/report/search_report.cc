@@ -66,6 +66,12 @@ json search_json(const channels::SearchReport& report) {
   json result = {{"target", report.file + ":" + std::to_string(report.line)},
                  {"calculated", state.calculated}};
   if (!state.calculated) return result;
+  result["units"] = report.meaning.inches() ? "inch" : "mm";
+  result["diameter"] = json::array();
+  for (std::size_t k = 0; k < report.words.size(); ++k) {
+    if (report.meaning.is_diameter(k)) result["diameter"].push_back(report.words[k]);
+  }
+  result["point_W"] = by_word(report.words, report.point_W);
   result["position"] = by_word(report.words, report.position);
   result["stands_at"] = by_word(report.words, report.stands_at);
   result["work_offset"] = state.frame.work_offset;

@@ -7,10 +7,10 @@
 
 namespace stanok::daemon {
 
-// {"target": "a.nc:12", "calculated", "position": {word: value}, "stands_at", "work_offset",
-// "tool",
-//  "tool_prepared", "spindles": [...], "coolant", "feed_law", "not_executed": [...]}; the members
-// behind "calculated" only for a search with calculation. mm, deg, rev/min, m/min.
+// {"target": "a.nc:12", "calculated", "units", "diameter": [word], "position": {word: value},
+//  "point_W", "stands_at", "work_offset", "tool", "tool_prepared",
+//  "spindles": [...], "coolant", "feed_law", "not_executed": [...]}; the members behind
+//  "calculated" only for a search with calculation. mm, deg, rev/min, m/min.
 [[nodiscard]] nlohmann::json search_json(const channels::SearchReport& report);
 
 }  // namespace stanok::daemon

@@ -39,6 +39,15 @@ json of_channels(const json& state, std::initializer_list<const char*> names) {
   return {{"channels", std::move(channels)}};
 }
 
+// What the spindles are asked for: what is measured never stays the same.
+json ordered(const json& spindles) {
+  json all = json::array();
+  if (!spindles.is_array()) return all;
+  for (const json& one : spindles)
+    all.push_back(some_of(one, {"id", "direction", "commanded_rev_min"}));
+  return all;
+}
+
 }  // namespace
 
 MachineReader::MachineReader(const asio::any_io_executor& executor, MachineAddress address,
@@ -213,9 +222,13 @@ void MachineReader::show_status() {
   state.update(some_of(state_.value("machine", json::object()), {"on", "idle"}));
   state["connected"] = true;
   show(topic::state, std::move(state));
-  show(topic::program,
-       of_channels(state_, {"program", "line", "block", "tool", "remaining_s", "override"}));
-  show(topic::positions, of_channels(state_, {"position", "feed_mm_min"}));
+  json program = of_channels(
+      state_, {"program", "file", "line", "block", "situation", "g_codes", "m_codes", "work_offset",
+               "coolant", "tool", "spindles", "remaining_s", "override"});
+  for (json& channel : program["channels"]) channel["spindles"] = ordered(channel["spindles"]);
+  show(topic::program, std::move(program));
+  show(topic::positions,
+       of_channels(state_, {"position", "to_go", "situation", "units", "diameter", "feed_mm_min"}));
 }
 
 void MachineReader::show(std::string_view topic, json content) {

@@ -43,9 +43,10 @@ inline constexpr std::array topics{
     Topic{topic::alarms, TopicKind::state, "when they change",
           "alarms: channel, code, text, file, line, reaction, remedy"},
     Topic{topic::program, TopicKind::state, "when it changes, at the rate",
-          "channels: program, line, block, tool, remaining_s, override"},
+          "channels: program, file, line, block, situation, g_codes, m_codes, work_offset, "
+          "coolant, tool, spindles: id, direction, commanded_rev_min, remaining_s, override"},
     Topic{topic::positions, TopicKind::state, "when they change, at the rate",
-          "channels: position, feed_mm_min"},
+          "channels: position, to_go, situation, units, diameter, feed_mm_min"},
     Topic{topic::parts, TopicKind::state, "when a run has ended",
           "programs: runs that ended well since the outbox began"},
     Topic{topic::tools, TopicKind::state, "when a run has ended",

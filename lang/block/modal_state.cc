@@ -4,6 +4,17 @@
 #include <string>
 
 namespace stanok::lang {
+namespace {
+
+// About its centre c: p = R * p_within + c - R * c.
+SystemWithin rotated_system(const ProgrammedRotation& rotation) {
+  if (rotation.rotation.is_identity()) return {};
+  const Vector3<double> centre = vector3(rotation.centre);
+  return {true, rotation.rotation, components(centre - rotation.rotation.turned(centre))};
+}
+
+}  // namespace
+
 ModalState default_modal_state(ChannelKind kind) {
   ModalState state;
   state.codes = default_codes(kind);
@@ -71,9 +82,10 @@ MeaningTerms terms_of(const ModalState& modal) {
   if (frames.axis_shift_active) terms.axis_shift = frames.axis_shift;
   terms.overhang_axis = modal.tool.overhang_axis;
   terms.overhang_mm = modal.tool.overhang_shift_mm;
-  terms.has_set_up_error = frames.set_up.is_on;
-  terms.has_plane = frames.plane.is_on;
-  terms.is_rotated = !frames.rotation.rotation.is_identity();
+  if (frames.set_up.is_on) terms.set_up_error = {true, frames.set_up.rotation, frames.set_up.shift};
+  if (frames.plane.is_on) terms.plane = {true, frames.plane.rotation, frames.plane.origin};
+  terms.plane_shift = frames.plane.local_shift;
+  terms.rotation = rotated_system(frames.rotation);
   terms.gain = modal.map.gains();
   terms.shift = modal.map.shifts();
   terms.tool = {modal.tool.active, modal.tool.edge};

@@ -18,6 +18,13 @@
 
 namespace stanok::lang {
 
+// A system of X, Y and Z that lies within another one: p = rotation * p_within + shift, mm.
+struct SystemWithin {
+  bool is_on = false;
+  Rotation rotation;
+  std::array<double, 3> shift{};
+};
+
 // Each term of p_B = work offset - overhang + its rotation * set-up error * (G52 + G92 + plane *
 // (its G52 + G68 * p_W)), and of W: w = gain * word + shift. A term that is off is 0.
 struct MeaningTerms {
@@ -28,10 +35,11 @@ struct MeaningTerms {
   AxisValues axis_shift{};        // G92
   int overhang_axis = -1;         // #tool_overhang
   double overhang_mm = 0.0;
-  bool has_set_up_error = false;  // G54.4
-  bool has_plane = false;         // G68.2 to G68.4
-  bool is_rotated = false;        // G68
-  AxisValues gain{};              // G51, G51.1
+  SystemWithin set_up_error;            // G54.4
+  SystemWithin plane;                   // G68.2 to G68.4
+  std::array<double, 3> plane_shift{};  // G52 along the axes of the plane
+  SystemWithin rotation;                // G68
+  AxisValues gain{};                    // G51, G51.1
   AxisValues shift{};
   ToolInPlace tool;
   ToolLength length;

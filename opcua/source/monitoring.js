@@ -11,7 +11,7 @@ import {
 
 /**
  * @import { EUInformation, UAVariable } from 'node-opcua'
- * @import { Axis, Channel, Node, ReadValue, Spindle, Value, View } from '../types/view.js'
+ * @import { Axis, Channel, Node, Parts, ReadValue, Spindle, Value } from '../types/view.js'
  * @import { Machine } from './machine.js'
  */
 
@@ -78,11 +78,68 @@ export function publish_machine_monitoring(machine) {
   machine.published.add(node, DataType.Int32, operation_mode);
 }
 
+/** Of an axis by its name or word, as the protocol tells none: those of rotation are A, B and C (DIN 66217). */
+const units_of = (/** @type {string} */ word) =>
+  /^[ABC]/.test(word) ? standardUnits.degree : standardUnits.millimetre;
+
+/**
+ * Position and way to go by the words of programs, and what gives them their meaning: OPC 40501-1 has
+ * none of it.
+ * @param {Machine} machine
+ * @param {Node} node
+ * @param {string[]} words
+ * @param {(read: (channel: Channel) => Value) => ReadValue} of_channel
+ */
+function add_situation(machine, node, words, of_channel) {
+  const { namespace, published } = machine;
+  for (const word of words) {
+    const units = units_of(word);
+    const position = of_channel((one) => one.position[word]);
+    add_quantity(machine, node, `Position${word}`, units, position);
+    add_quantity(
+      machine,
+      node,
+      `ToGo${word}`,
+      units,
+      of_channel((one) => one.to_go?.[word]),
+    );
+  }
+  /** @type {[string, DataType, (channel: Channel) => Value][]} */
+  const values = [
+    ['Situation', DataType.UInt32, (one) => one.situation],
+    ['Units', DataType.String, (one) => one.units],
+    ['File', DataType.String, (one) => one.file],
+    ['Line', DataType.UInt32, (one) => one.line],
+    ['WorkOffset', DataType.String, (one) => one.work_offset],
+    ['Tool', DataType.Int32, (one) => one.tool.number],
+    ['ToolEdge', DataType.Int32, (one) => one.tool.edge],
+  ];
+  for (const [name, dataType, read] of values) {
+    const options = { browseName: name, componentOf: node, dataType };
+    published.add(namespace.addVariable(options), dataType, of_channel(read));
+  }
+  /** @type {[string, (channel: Channel) => string[]][]} */
+  const lists = [
+    ['Diameters', (one) => one.diameter],
+    ['ActiveCodes', (one) => [...one.g_codes, ...one.m_codes]],
+    ['Coolant', (one) => one.coolant],
+  ];
+  for (const [name, read] of lists) {
+    const options = {
+      browseName: name,
+      componentOf: node,
+      dataType: DataType.String,
+      valueRank: 1,
+    };
+    published.add(namespace.addVariable(options), DataType.String, of_channel(read));
+  }
+}
+
 /**
  * @param {Machine} machine
- * @param {Pick<Channel, 'id' | 'name'>} channel
+ * @param {Parts['channels'][number]} channel
  */
-export function add_channel(machine, { id, name }) {
+export function add_channel(machine, { id, name, words }) {
   const { published } = machine;
   /** @type {(read: (channel: Channel) => Value) => ReadValue} */
   const of_channel = (read) => (view) => {
@@ -123,6 +180,7 @@ export function add_channel(machine, { id, name }) {
     [modifiers.blockSkip, (one) => one.block_skip.length > 0],
   ];
   for (const [flag, read] of flags) published.add(flag, DataType.Boolean, of_channel(read));
+  add_situation(machine, node, words, of_channel);
 }
 
 /**
@@ -137,8 +195,7 @@ export function add_axis(machine, name) {
   };
   const node = machine.add_element(machine.axis_type, `Axis${name}`);
   machine.published.add_constant(node.name, DataType.String, name);
-  // An axis of the protocol has no unit; those of rotation are called A, B and C (DIN 66217).
-  const units = /^[ABC]/.test(name) ? standardUnits.degree : standardUnits.millimetre;
+  const units = units_of(name);
   add_quantity(
     machine,
     node,

@@ -129,7 +129,7 @@ export function parts_of(view) {
   const axes = new Set(view.channels.flatMap((one) => Object.keys(one.axes)));
   const spindles = new Set(view.channels.flatMap((one) => one.spindles).map((one) => one.id));
   return {
-    channels: view.channels.map(({ id, name }) => ({ id, name })),
+    channels: view.channels.map(({ id, name, words }) => ({ id, name, words })),
     axes: [...axes],
     spindles: [...spindles].sort((a, b) => a - b),
   };

@@ -33,7 +33,7 @@ export interface View extends Lists {
 
 /** What a machine is made of. */
 export interface Parts {
-  channels: Pick<Channel, 'id' | 'name'>[];
+  channels: Pick<Channel, 'id' | 'name' | 'words'>[];
   axes: string[];
   spindles: number[];
 }

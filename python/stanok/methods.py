@@ -74,6 +74,18 @@ class ChannelMethods:
         """
         return self._call("channel.status", _given(channel=channel))
 
+    def position(self, *, why: int | None = None, channel: int | None = None) -> dict[str, Any]:
+        """Words that lead to where the channel stands, and where they come from.
+
+        ``channel.position``, for the role observer.
+
+        Args:
+            why: 1: with all that lies between the machine position and each word: zero of the scheme,
+                offsets, lengths, turns; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+        """
+        return self._call("channel.position", _given(why=why, channel=channel))
+
     def control(self, *, on: int | None = None, channel: int | None = None) -> dict[str, Any]:
         """Control a channel alone until the connection ends; others can still stop it.
 

@@ -63,6 +63,28 @@ constexpr const char* pocket =
     "G0 Z20\n"         // 9
     "M30\n";           // 10
 
+// Words as they are read at the block that is found: diameters of a lathe, mm also under G20.
+TEST(ProgramSearchOfALathe, TellsWordsAndThePoint) {
+  MachineBench bench(testing::turning_machine());
+  bench.program("p.nc", "G7 G21 G90 G54\nG0 X40 Z5\nN30 X2\nG20\nN50 X1\nM30\n");
+  bench.ask(OperatorAction::program_load, 1, "p.nc");
+  bench.run_to_end();
+  bench.ask(OperatorAction::program_search, 1, "N30", 1.0, 0);
+  bench.run_to_end();
+  auto report = bench.machine().search(1);
+  ASSERT_TRUE(report);
+  EXPECT_NEAR(report->position.at(testing::lathe_X), 40.0, place_tolerance);
+  EXPECT_NEAR(report->point_W.at(testing::lathe_X), 20.0, place_tolerance);
+  EXPECT_TRUE(report->meaning.is_diameter(testing::lathe_X));
+  EXPECT_FALSE(report->meaning.inches());
+  bench.ask(OperatorAction::program_search, 1, "N50", 1.0, 0);
+  bench.run_to_end();
+  report = bench.machine().search(1);
+  ASSERT_TRUE(report);
+  EXPECT_NEAR(report->position.at(testing::lathe_X), 2.0, place_tolerance);
+  EXPECT_TRUE(report->meaning.inches());
+}
+
 TEST_F(ProgramSearchTest, TellsWhatLiesBeforeTheBlock) {
   load(pocket);
   ASSERT_EQ(search("N80"), "");

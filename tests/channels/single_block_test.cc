@@ -61,6 +61,19 @@ TEST_F(SingleBlockTest, BlocksThatMoveNothingAreNoStepsButTheirEffectsAre) {
   EXPECT_THAT(stops(), Pointwise(DoubleNear(1e-9), {1.0, 1.0, 1.0, 2.0}));
 }
 
+// A tool change before the first move, and a spindle that takes its time before a move: each block
+// is one stop, and shows its own line.
+TEST_F(SingleBlockTest, EachBlockIsOneStopThatShowsItsLine) {
+  begin("G21 G90 G94 F6000\nT1 M6\nS3000 M3\nG54\nG1 X1\nM8\nX2\nG55\nG43.4 H1\nX3\nG49\nM30\n");
+  std::vector<std::uint32_t> lines;
+  for (int n = 0; n < 100 && bench.channel(1).state == ChannelState::held; ++n) {
+    EXPECT_FALSE(bench.channel(1).waiting);
+    lines.push_back(bench.channel(1).tag.line);
+    next();
+  }
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{2, 3, 5, 6, 7, 9, 10, 11}));
+}
+
 TEST_F(SingleBlockTest, AStatementIsAStepOnlyWhenItAsksTheMachine) {
   begin("num end = 1;\nG1 X=end F6000\nend = 2;\nif (end > 1) { sync (); }\nX=end\nM30\n");
   EXPECT_THAT(stops(), Pointwise(DoubleNear(1e-9), {1.0, 1.0, 2.0}));

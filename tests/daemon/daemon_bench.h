@@ -32,8 +32,8 @@ class DaemonBench {
   // One request: its answer comes now or later.
   using Slot = std::shared_ptr<std::optional<CommandResult>>;
 
-  DaemonBench()
-      : assembly_({.file = mill_of_the_bench(),
+  explicit DaemonBench(const config::MachineFile& file = mill_of_the_bench())
+      : assembly_({.file = file,
                    .drives = runtime::DriveChoice::simulated,
                    .program_roots = {here_.path()},
                    .machine = {}}),

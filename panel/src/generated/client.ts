@@ -193,6 +193,37 @@ export interface Methods {
       work_offset: string | null;
     };
   };
+  /** words that lead to where the channel stands, and where they come from */
+  "channel.position": {
+    params: {
+      why?: number;
+      channel?: number;
+    };
+    result: {
+      axes: {
+        axis: string;
+        machine: number;
+        shown: number;
+        terms?: {
+          amount: number;
+          fixed: boolean;
+          name: string;
+          of: string;
+          term: string;
+          value: number;
+        }[];
+        unit: string;
+        word: string;
+      }[];
+      channel: number;
+      diameter: string[];
+      point_W: Record<string, number>;
+      position: Record<string, number>;
+      scheme: number;
+      situation: number;
+      units: string;
+    };
+  };
   /** control a channel alone until the connection ends; others can still stop it */
   "channel.control": {
     params: {
@@ -1544,6 +1575,7 @@ export const method_roles: Record<MethodName, string> = {
   "machine.status": 'observer',
   "channel.list": 'observer',
   "channel.status": 'observer',
+  "channel.position": 'observer',
   "channel.control": 'operator',
   "channel.watch": 'observer',
   "program.read": 'observer',

@@ -2,6 +2,9 @@
 import { Refusal, ownNumbers } from '../rpc/json_rpc';
 import { t } from '../text/text';
 
+/** The command was meant for another situation than the one that the channel is in. */
+export const situationChanged = 'E6090';
+
 export interface Shown {
   code: string | null;
   sentence: string;
@@ -46,6 +49,14 @@ function words(refusal: Refusal): Omit<Shown, 'at'> {
       code: null,
       sentence: t('refusal.no_answer'),
       remedy: t('refusal.no_answer_remedy'),
+      place: null,
+    };
+  }
+  if (refusal.data.code === situationChanged) {
+    return {
+      code: situationChanged,
+      sentence: t('refusal.changed'),
+      remedy: t('refusal.changed_remedy'),
       place: null,
     };
   }

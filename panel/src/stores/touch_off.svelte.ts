@@ -4,12 +4,13 @@ import { Refusal, type Params } from '../rpc/json_rpc';
 import { t } from '../text/text';
 import type { Channel } from './machine.svelte';
 import { isDiameter, unitsOf, wordIn } from './position_words';
+import { situationChanged } from './refusal.svelte';
 import { tables, type Change } from './tables.svelte';
 
 type Wanted = Params<'offset.touch'>;
 
 /** Of refusals: the situation is another one; the change is larger than is likely. */
-const codes = { changed: 'E6090', large: 'E6093' } as const;
+const codes = { changed: situationChanged, large: 'E6093' } as const;
 
 class TouchOff {
   /** Why the daemon wants to have it confirmed, in its words; null: nothing waits for an answer. */

@@ -45,7 +45,9 @@ TEST_F(ManualPages, DescribeEveryMethodAndItsParameters) {
     for (const protocol::Parameter& parameter : method.parameters) {
       std::string name(parameter.name);
       std::replace(name.begin(), name.end(), '_', '-');
-      if (parameter.spelling != protocol::Spelling::option) {
+      const bool is_argument = parameter.spelling == protocol::Spelling::positional ||
+                               parameter.spelling == protocol::Spelling::file;
+      if (is_argument) {
         std::transform(name.begin(), name.end(), name.begin(), ::toupper);
         EXPECT_NE(text.find(".TP\n" + roff::italic(name)), std::string::npos) << path << name;
       } else {

@@ -69,6 +69,35 @@ TEST(ChannelText, ShowsWhatAnOperatorReads) {
       "B         0.0000    0.0000   90.0000  parked, off, brake\n");
 }
 
+TEST(ChannelText, ShowsWhereAWordComesFrom) {
+  json answer = {{"channel", 1},
+                 {"diameter", {"X"}},
+                 {"axes", {{{"word", "X"}, {"axis", "X1"}, {"machine", 20.0}, {"shown", 100.0}}}}};
+  EXPECT_EQ(result_text("channel.position", answer, into_a_pipe),
+            "word  shown     machine\n"
+            "X Ø   100.0000  20.0000\n");
+  answer["axes"][0]["terms"] = {{{"term", "machine"},
+                                 {"name", "machine position of X1"},
+                                 {"amount", 20.0},
+                                 {"value", 20.0},
+                                 {"fixed", true}},
+                                {{"term", "scheme_zero"},
+                                 {"name", "zero of scheme 1 (lathe)"},
+                                 {"amount", 30.0},
+                                 {"value", 50.0},
+                                 {"fixed", true}},
+                                {{"term", "diameter"},
+                                 {"name", "diameter (G7)"},
+                                 {"amount", 50.0},
+                                 {"value", 100.0},
+                                 {"fixed", false}}};
+  EXPECT_EQ(result_text("channel.position", answer, into_a_pipe),
+            "X Ø                       adds     makes\n"
+            "machine position of X1    20.0000   20.0000\n"
+            "zero of scheme 1 (lathe)  30.0000   50.0000\n"
+            "diameter (G7)             50.0000  100.0000  as the axes stand\n");
+}
+
 TEST(ChannelText, TellsWhyAChannelIsHeldAndWhatIsForeseen) {
   json status = mill_status();
   status["held_by"] = "feed hold by an operator";
