@@ -42,12 +42,11 @@ class Shown : public ::testing::TestWithParam<HandPlace> {
       EXPECT_NEAR(after.axes_M[k], before.axes_M[k], 1e-9) << back << "\n" << what;
   }
 
-  // Begins the lines of the session as a program on a machine that is set up anew, and lets a random
-  // time pass.
+  // Begins the lines of the session as a program on a machine that is set up anew, and lets a
+  // random time pass.
   static void begin(OperatorSession& session, Choices& choices, const std::string& end = "M30") {
     session.forget();
-    session.bench().begin(session.text() + "G4 P0.01\n" + end + "\n",
-                          choices.below(1500));
+    session.bench().begin(session.text() + "G4 P0.01\n" + end + "\n", choices.below(1500));
   }
 };
 
@@ -109,7 +108,8 @@ TEST_P(Shown, AfterAStopInTheProgram) {
 TEST_P(Shown, AfterAnAlarmOfTheProgram) {
   type_back_after(
       [](OperatorSession& session, Choices& choices) {
-        begin(session, choices, choices.chance(0.5) ? "G90 G53 G0 X99999" : "terminate (1030, \"enough\");");
+        begin(session, choices,
+              choices.chance(0.5) ? "G90 G53 G0 X99999" : "terminate (1030, \"enough\");");
         session.bench().settle();
         return session.bench().has_alarm() && asked(session, OperatorAction::program_reset);
       },

@@ -35,7 +35,8 @@ struct Word {
 // The words of a line of text, without comments and what is no block.
 std::vector<Word> words_of(std::string line) {
   line = std::regex_replace(line, std::regex(R"(\([^()]*\)\s*$|//.*$)"), "");
-  static const std::regex statement(R"(^\s*(#|for\b|if\b|while\b|num\b|\{|\}|[a-z_]+\s*(\(|=)|%|O<))");
+  static const std::regex statement(
+      R"(^\s*(#|for\b|if\b|while\b|num\b|\{|\}|[a-z_]+\s*(\(|=)|%|O<))");
   if (std::regex_search(line, statement)) return {};
   static const std::regex word(R"(([A-Z])(-?\d*\.?\d+)?(?=[A-Z=\s]|-?\d|$))");
   std::vector<Word> words;
@@ -186,8 +187,9 @@ std::vector<std::string> lines_of(const std::filesystem::path& file) {
 // The words of axes with a number, where the block goes to them: what the position must be.
 std::map<std::string, double> literals_of(const std::string& line) {
   std::map<std::string, double> values;
-  static const std::set<std::string> others{"G28", "G53", "G92", "G10", "G52", "G68", "G68.2", "G4",
-                                            "G76", "G33", "G12.1", "G7.1", "G13.1", "G51", "G64"};
+  static const std::set<std::string> others{"G28",   "G53",   "G92",   "G10", "G52",
+                                            "G68",   "G68.2", "G4",    "G76", "G33",
+                                            "G12.1", "G7.1",  "G13.1", "G51", "G64"};
   for (const Word& word : words_of(line)) {
     if (word.letter == 'G' && others.contains(code_of(word))) return {};
     if (std::string("XYZABC").find(word.letter) == std::string::npos) continue;
@@ -322,15 +324,30 @@ TEST_P(WordsAtStopsOf, LeadToWhereTheBlocksEnd) {
 }
 
 constexpr Shipped rounded_programs[] = {
-    {"square_and_circle", "mill3"},    {"helix", "mill3"},        {"bolt_circle", "mill3"},
-    {"tilted_pocket", "e7106mf4", "2"}, {"trunnion", "trunnion"},  {"lathe", "lathe"},
-    {"thread", "lathe"},               {"chip_breaking", "lathe"}, {"slender_shaft", "lathe"},
-    {"plunge_grinding", "grinder"},    {"workpiece", "e7106mf4"}, {"turned_part", "lathe"}, {"adaptive_steps", "lathe"}, {"millturn4", "millturn4"},
+    {"square_and_circle", "mill3"},
+    {"helix", "mill3"},
+    {"bolt_circle", "mill3"},
+    {"tilted_pocket", "e7106mf4", "2"},
+    {"trunnion", "trunnion"},
+    {"lathe", "lathe"},
+    {"thread", "lathe"},
+    {"chip_breaking", "lathe"},
+    {"slender_shaft", "lathe"},
+    {"plunge_grinding", "grinder"},
+    {"workpiece", "e7106mf4"},
+    {"turned_part", "lathe"},
+    {"adaptive_steps", "lathe"},
+    {"millturn4", "millturn4"},
 };
 constexpr Shipped exact_programs[] = {
-    {"square_and_circle", "mill3"},     {"helix", "mill3"},       {"bolt_circle", "mill3"},
-    {"tilted_pocket", "e7106mf4", "2"}, {"trunnion", "trunnion"}, {"lathe", "lathe"},
-    {"thread", "lathe"},                {"plunge_grinding", "grinder"},
+    {"square_and_circle", "mill3"},
+    {"helix", "mill3"},
+    {"bolt_circle", "mill3"},
+    {"tilted_pocket", "e7106mf4", "2"},
+    {"trunnion", "trunnion"},
+    {"lathe", "lathe"},
+    {"thread", "lathe"},
+    {"plunge_grinding", "grinder"},
 };
 INSTANTIATE_TEST_SUITE_P(Shipped, StopsOf, ::testing::ValuesIn(rounded_programs), name_of);
 INSTANTIATE_TEST_SUITE_P(Shipped, WordsAtStopsOf, ::testing::ValuesIn(exact_programs), name_of);

@@ -41,17 +41,16 @@ void LineSource::add(std::string name, std::function<std::string()> line, std::s
 }
 
 bool LineSource::is_in(const std::string& mode) const {
-  return mode.empty() || std::ranges::any_of(modes_, [&](const WordClass* const one) {
-           return one->name == mode;
-         });
+  return mode.empty() ||
+         std::ranges::any_of(modes_, [&](const WordClass* const one) { return one->name == mode; });
 }
 
 // In the scheme with which the channel starts.
 bool LineSource::has(const std::string& word) const {
   const auto& all = channel_.words;
   const auto place = static_cast<int>(std::ranges::find(all, word) - all.begin());
-  const auto scheme = std::ranges::find(channel_.schemes, channel_.scheme,
-                                        &kinematics::SchemeConfig::id);
+  const auto scheme =
+      std::ranges::find(channel_.schemes, channel_.scheme, &kinematics::SchemeConfig::id);
   return std::ranges::find(scheme->axes, place) != scheme->axes.end();
 }
 
@@ -156,13 +155,18 @@ void LineSource::add_moves() {
     return any_of({"G17 G2", "G17 G3"}) + " G91 X" + number(choices_.between(-2.0, 2.0)) + " Y" +
            number(choices_.between(1.0, 2.0)) + " R4";
   });
-  add("cycle", [this] {
-    const double z = shown("Z");
-    return "G90 G17 G81" + words("XY", -3.0, 3.0) + " Z" + number(z - 3.0) + " R" + number(z - 1.0);
-  }, "G80");
-  if (channel_.probe_input >= 0) add("probe", [this] {
-    return any_of({"G91 G38.3 Z-2 F600", "G91 G38.5 Z-1 F600", "G91 G38.3 X1 F600"});
-  });
+  add(
+      "cycle",
+      [this] {
+        const double z = shown("Z");
+        return "G90 G17 G81" + words("XY", -3.0, 3.0) + " Z" + number(z - 3.0) + " R" +
+               number(z - 1.0);
+      },
+      "G80");
+  if (channel_.probe_input >= 0)
+    add("probe", [this] {
+      return any_of({"G91 G38.3 Z-2 F600", "G91 G38.5 Z-1 F600", "G91 G38.3 X1 F600"});
+    });
 }
 
 void LineSource::add_offsets() {
@@ -173,13 +177,12 @@ void LineSource::add_offsets() {
   add("G10 L2", [this] { return "G10 L2" + any_page() + words("XYZ", -5.0, 5.0); });
   add("G10 L20", [this] { return "G10 L20" + any_page() + words("XYZ", -5.0, 5.0); });
   add("settable_zs", [this] {
-    return "settable_zs (1, " + std::to_string(1 + choices_.below(7)) + ", " +
-           any_of({"X", "Z"}) + ", " + number(choices_.between(-5.0, 5.0)) + ");";
+    return "settable_zs (1, " + std::to_string(1 + choices_.below(7)) + ", " + any_of({"X", "Z"}) +
+           ", " + number(choices_.between(-5.0, 5.0)) + ");";
   });
   if (channel_.kind != lang::ChannelKind::mill || channel_.rules.is_fanuc()) return;
-  add("G10 L2 R", [this] {
-    return "G10 L2" + any_page() + " R" + number(choices_.between(-20.0, 20.0));
-  });
+  add("G10 L2 R",
+      [this] { return "G10 L2" + any_page() + " R" + number(choices_.between(-20.0, 20.0)); });
 }
 
 std::string LineSource::row_of_tool(const std::string& code, double low, double high) {
@@ -221,26 +224,36 @@ void LineSource::add_frames() {
   if (channel_.kind == lang::ChannelKind::lathe) {
     if (!has("C")) return;
     // Where the spindle comes to rest is a matter of time.
-    add("C axis", [this] {
-      then_ = "G90 G0 C" + number(choices_.between(-25.0, 25.0));
-      return std::string("M902");
-    }, "M903");
+    add(
+        "C axis",
+        [this] {
+          then_ = "G90 G0 C" + number(choices_.between(-25.0, 25.0));
+          return std::string("M902");
+        },
+        "M903");
     add("C", [this] { return "G90 G0 C" + number(choices_.between(-25.0, 25.0)); }, "", "C axis");
     add("face", [] { return std::string("G12.1"); }, "G13.1", "C axis");
-    add("cylinder", [this] { return "G7.1 C" + number(choices_.between(10.0, 40.0)); }, "G13.1",
+    add(
+        "cylinder", [this] { return "G7.1 C" + number(choices_.between(10.0, 40.0)); }, "G13.1",
         "C axis");
     return;
   }
   if (channel_.kind != lang::ChannelKind::mill) return;
-  add("G68", [this] {
-    return "G17 G68 X" + number(choices_.between(-5.0, 5.0)) + " Y" +
-           number(choices_.between(-5.0, 5.0)) + " R" + number(choices_.between(-60.0, 60.0));
-  }, "G69");
-  add("G68.2", [this] {
-    return "G17 G68.2 X" + number(choices_.between(-5.0, 5.0)) + " Z" +
-           number(choices_.between(-5.0, 5.0)) + " I" + number(choices_.between(-30.0, 30.0)) +
-           " J" + number(choices_.between(-20.0, 20.0));
-  }, "G69");
+  add(
+      "G68",
+      [this] {
+        return "G17 G68 X" + number(choices_.between(-5.0, 5.0)) + " Y" +
+               number(choices_.between(-5.0, 5.0)) + " R" + number(choices_.between(-60.0, 60.0));
+      },
+      "G69");
+  add(
+      "G68.2",
+      [this] {
+        return "G17 G68.2 X" + number(choices_.between(-5.0, 5.0)) + " Z" +
+               number(choices_.between(-5.0, 5.0)) + " I" + number(choices_.between(-30.0, 30.0)) +
+               " J" + number(choices_.between(-20.0, 20.0));
+      },
+      "G69");
   add("G51", [this] { return "G51 X0 Y0 P" + number(choices_.between(0.5, 2.0)); }, "G50");
   add("G51.1", [this] { return "G51.1 X" + number(choices_.between(-5.0, 5.0)); }, "G50.1");
   add("G16", [] { return std::string("G17 G16"); }, "G15");
@@ -273,9 +286,8 @@ const LineSource::WordClass& LineSource::drawn_class() {
   if (!of_mode.empty() && choices_.chance(0.75)) return *of_mode[choices_.below(of_mode.size())];
   if (choices_.chance(0.25)) return classes_[choices_.below(2)];
   if (choices_.chance(0.5)) return *possible[choices_.below(possible.size())];
-  return **std::ranges::min_element(possible, {}, [this](const WordClass* const one) {
-    return counts_.at(one->name);
-  });
+  return **std::ranges::min_element(
+      possible, {}, [this](const WordClass* const one) { return counts_.at(one->name); });
 }
 
 std::string LineSource::next(const lang::AxisValues& shown) {
