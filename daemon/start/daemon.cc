@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -121,6 +122,16 @@ struct RunningDrives {
   runtime::Assembly& assembly;
 };
 
+// Before it nobody knows how the channels stand; whoever asked would be told zeros. Not for ever: a
+// cycle that does not come is the server's to tell.
+void wait_for_the_first_cycle(AssembledMachine& machine, const std::atomic<bool>& gives_up) {
+  constexpr auto longest = std::chrono::seconds(5);
+  constexpr auto between_looks = std::chrono::milliseconds(1);
+  const auto last = std::chrono::steady_clock::now() + longest;
+  while (machine.newest_output().cycle == 0 && !gives_up && std::chrono::steady_clock::now() < last)
+    std::this_thread::sleep_for(between_looks);
+}
+
 }  // namespace
 
 int run_daemon(const DaemonOptions& options) {
@@ -150,6 +161,8 @@ int run_daemon(const DaemonOptions& options) {
   MonotonicClock clock;
   RealTimeLoop loop(machine, clock, file.machine.cycle_us * ns_per_us);
   machine.set_loop(loop);
+  recorder.ask_for_situations(
+      [&machine](const channels::ChannelOutput& output) { return machine.situation(output); });
   OperatorServer server(socket, machine, {build_description(), state.path(), socket.path()},
                         {.panel_user = panel_user(options.panel_user)});
 
@@ -174,6 +187,7 @@ int run_daemon(const DaemonOptions& options) {
   const RealTimeThread real_time(loop, machine);
   spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,
                file.machine.cycle_us, machine.drive_choice(), socket.path().string());
+  wait_for_the_first_cycle(machine, ends);
   server.run();
   ends = true;
   spdlog::info("stanokd ends");

@@ -28,7 +28,11 @@ def request(number, method, /, **parameters):
 
 def connect(path):
     one = socket.socket(socket.AF_UNIX)
-    one.connect(path)
+    try:
+        one.connect(path)
+    except OSError:
+        one.close()
+        raise
     return one
 
 
