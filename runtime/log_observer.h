@@ -17,6 +17,10 @@ class LogObserver final : public CycleObserver {
   LogObserver(const config::MachineFile& file, const RunSetup& setup, const std::string& path,
               std::string version);
 
+  void begin(const channels::Machine& machine) override {
+    stream_->ask_for_situations(
+        [&machine](const channels::ChannelOutput& output) { return machine.situation(output); });
+  }
   void observe(const channels::CycleOutput& output) override { stream_->cycle(output); }
   void observe(const recording::ProgramRead& read, std::int64_t cycle) override {
     stream_->program_read(read, cycle);

@@ -80,6 +80,7 @@ class Simulation {
       }
     }
     result_.cycle_s = options.file.machine.cycle_us * 1e-6;
+    for (CycleObserver* observer : observers) observer->begin(machine_);
   }
 
   SimulationResult run(const std::function<bool()>& interrupted) {

@@ -78,6 +78,8 @@ struct SimulationResult {
 class CycleObserver {
  public:
   virtual ~CycleObserver() = default;
+  // Before the first cycle; the machine lives as long as cycles come.
+  virtual void begin(const channels::Machine& machine) { static_cast<void>(machine); }
   virtual void observe(const channels::CycleOutput& output) = 0;
   virtual void observe(const channels::Event& event) { static_cast<void>(event); }
   virtual void observe(const channels::InputRecord& input) { static_cast<void>(input); }

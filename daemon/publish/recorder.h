@@ -44,6 +44,10 @@ class Recorder final : public CycleListener {
   void on_event(const channels::Event& event) override;
   void on_input(const channels::InputRecord& input) override { stream_->input(input); }
 
+  // Whom to ask for the situations that outputs show. Before the first output.
+  void ask_for_situations(recording::MessageStream::Situations situations) {
+    stream_->ask_for_situations(std::move(situations));
+  }
   // Any thread: start, stop.
   [[nodiscard]] LogFiles& logs() { return logs_; }
   // Any thread.

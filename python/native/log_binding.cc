@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "client/offline/log/log_text.h"
+#include "client/offline/log/situation_text.h"
 #include "protocol/json_text.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
@@ -17,6 +18,7 @@
 #include "recording/format/encode.h"
 #include "recording/read/event_walk.h"
 #include "recording/read/log_contents.h"
+#include "recording/read/situation_walk.h"
 
 namespace stanok::python {
 namespace {
@@ -142,6 +144,29 @@ class EventCursor {
   recording::EventWalk events_;
 };
 
+class SituationCursor {
+ public:
+  SituationCursor(LogHandle log, int channel)
+      : log_(std::move(log)),
+        situations_(value_or_raise(recording::SituationWalk::open(log_->file, channel))) {}
+
+  // The next `count` at most, as a list of JSON.
+  [[nodiscard]] std::string next(std::int64_t count) {
+    const py::gil_scoped_release others_run;
+    ordered_json list = ordered_json::array();
+    while (static_cast<std::int64_t>(list.size()) < count) {
+      const auto situation = situations_.next();
+      if (!situation) break;
+      list.push_back(client::situation_json(*situation, log_->contents));
+    }
+    return protocol::json_text(list);
+  }
+
+ private:
+  LogHandle log_;
+  recording::SituationWalk situations_;
+};
+
 }  // namespace
 
 void bind_logs(py::module_& module) {
@@ -158,6 +183,9 @@ void bind_logs(py::module_& module) {
   py::class_<EventCursor>(module, "EventCursor")
       .def(py::init<std::shared_ptr<Log>>(), py::arg("log"))
       .def("next", &EventCursor::next, py::arg("count"));
+  py::class_<SituationCursor>(module, "SituationCursor")
+      .def(py::init<std::shared_ptr<Log>, int>(), py::arg("log"), py::arg("channel"))
+      .def("next", &SituationCursor::next, py::arg("count"));
 }
 
 }  // namespace stanok::python

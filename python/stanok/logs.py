@@ -89,6 +89,23 @@ class Log:
             for event in told:
                 yield Event(**event)
 
+    def situations(self, *, channel: int | None = None) -> Iterator[dict[str, Any]]:
+        """What gave the words of programs their meaning, one for each time when another one came into effect.
+
+        Codes, units, work offset, the terms of the chain of frames, tool and its length, as a line of
+        ``stanok log situations --json``; lengths mm, angles deg, axes by their words. Holds from ``cycle`` on, for
+        setpoints of that cycle too. ``channel`` None: of all channels, in the order of the file. Logs of 0.1.0 have
+        none.
+        """
+        if channel is not None and channel < 1:
+            raise ValueError(f"channel is {channel}; give 1 or more")
+        cursor = _native.SituationCursor(self._native, channel or 0)
+        while True:
+            told = json.loads(cursor.next(_events_at_a_time))
+            if not told:
+                return
+            yield from told
+
     def __repr__(self) -> str:
         return f"<Log {self._path}: channels {', '.join(map(str, self._axes)) or 'none'}>"
 

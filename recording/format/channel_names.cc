@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::string_view prefix = "STANOK_";
 constexpr EnumArray<Topic, std::string_view> topics{
-    "SETPOINT", "STATE",    "DRIVE",    "PROCESS",  "FORCE",        "EVENT",
-    "INPUT",    "ARRIVAL",  "FEEDBACK", "PROGRAM",  "PROGRAM_READ", "WORKPIECE",
-    "TOOL",     "TOOL_ROW", "PATH",     "LOG_META", "LOG_TYPES",    "LOG_CHECK"};
+    "SETPOINT",  "STATE",    "DRIVE",    "PROCESS",      "FORCE",     "EVENT", "INPUT",
+    "ARRIVAL",   "FEEDBACK", "PROGRAM",  "PROGRAM_READ", "WORKPIECE", "TOOL",  "TOOL_ROW",
+    "SITUATION", "PATH",     "LOG_META", "LOG_TYPES",    "LOG_CHECK"};
 // "_CH16_" and the longest topic of a channel.
 constexpr std::size_t longest_suffix = 6 + 12;
 

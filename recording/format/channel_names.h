@@ -32,6 +32,7 @@ enum class Topic {
   workpiece,
   tool,
   tool_row,
+  situation,
   path,
   log_meta,
   log_types,

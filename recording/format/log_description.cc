@@ -18,6 +18,7 @@
 #include <stanok_messages/program_chunk_t.hpp>
 #include <stanok_messages/program_read_t.hpp>
 #include <stanok_messages/setpoint_t.hpp>
+#include <stanok_messages/situation_t.hpp>
 #include <stanok_messages/tool_row_t.hpp>
 #include <stanok_messages/tool_t.hpp>
 #include <stanok_messages/workpiece_t.hpp>
@@ -46,7 +47,8 @@ std::array<Type, sizeof...(Messages)> types_of() {
 auto all_types() {
   return types_of<setpoint_t, channel_state_t, drive_status_t, process_status_t, force_status_t,
                   event_t, input_t, program_chunk_t, arrival_t, feedback_t, program_read_t,
-                  workpiece_t, tool_t, path_t, log_meta_t, log_check_t, log_types_t, tool_row_t>();
+                  workpiece_t, tool_t, path_t, log_meta_t, log_check_t, log_types_t, tool_row_t,
+                  situation_t>();
 }
 
 // Puts in as many types as `message`, log_meta_t or log_types_t, has places for.

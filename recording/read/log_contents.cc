@@ -5,6 +5,7 @@
 #include <limits>
 #include <stanok_messages/log_check_t.hpp>
 #include <stanok_messages/program_chunk_t.hpp>
+#include <stanok_messages/situation_t.hpp>
 #include <string_view>
 
 #include "base/place.h"
@@ -55,6 +56,7 @@ const MessageType* type_on(std::string_view channel_name) {
                                 type_of<workpiece_t>(Topic::workpiece),
                                 type_of<tool_t>(Topic::tool),
                                 type_of<tool_row_t>(Topic::tool_row),
+                                type_of<situation_t>(Topic::situation),
                                 type_of<arrival_t>(Topic::arrival),
                                 type_of<feedback_t>(Topic::feedback),
                                 type_of<log_meta_t>(Topic::log_meta),

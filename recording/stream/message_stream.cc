@@ -9,6 +9,7 @@
 #include "base/assert.h"
 #include "base/place.h"
 #include "recording/format/encode_input_record.h"
+#include "recording/format/encode_situation.h"
 #include "recording/format/encode_tool_row.h"
 
 namespace stanok::recording {
@@ -16,6 +17,8 @@ namespace {
 
 constexpr std::int64_t meta_period_us = 60'000'000;
 constexpr std::int64_t state_period_us = 50'000;
+// So often that every piece of a log, and what a flight recorder has, tells it soon.
+constexpr std::int64_t situation_period_us = 1'000'000;
 constexpr std::int64_t path_period_us = 10'000;
 
 std::int64_t cycles_in(std::int64_t period_us, int cycle_us) {
@@ -46,12 +49,14 @@ MessageStream::MessageStream(LogDescription description, std::vector<MessageSink
               std::max(log_meta_t{}.getEncodedSize(), log_types_t{}.getEncodedSize())),
       periods_{.meta = cycles_in(meta_period_us, description_.cycle_us),
                .state = cycles_in(state_period_us, description_.cycle_us),
+               .situation = cycles_in(situation_period_us, description_.cycle_us),
                .path = cycles_in(path_period_us, description_.cycle_us)},
       next_meta_cycle_(std::numeric_limits<std::int64_t>::min()) {}
 
 void MessageStream::cycle(const channels::CycleOutput& output) {
   send_meta_when_due(output.cycle);
   for (const channels::ChannelOutput& channel : output.of_channels()) {
+    situation_when_due(output.cycle, channel);  // before the setpoint that it holds for
     if (channel.axis_count > 0) {
       sender_.send(
           to_setpoint(channel, sender_.next_stamp(output.cycle, channel.id, Topic::setpoint)),
@@ -176,6 +181,17 @@ void MessageStream::tool_row_when_due(std::int64_t cycle, const channels::Channe
   sender_.send(to_tool_row(output.id, output.tool_row,
                            sender_.next_stamp(cycle, output.id, Topic::tool_row)),
                output.id, Topic::tool_row);
+}
+
+void MessageStream::situation_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {
+  if (!situations_) return;
+  ShownSituation& shown = shown_situations_[output.id];
+  const bool is_known = output.tag.situation == shown.number && shown.cycle >= 0;
+  if (is_known && cycle < shown.cycle + periods_.situation) return;
+  shown = {output.tag.situation, cycle};
+  sender_.send(to_situation(output, situations_(output),
+                            sender_.next_stamp(cycle, output.id, Topic::situation)),
+               output.id, Topic::situation);
 }
 
 void MessageStream::path(PathPreview preview) {

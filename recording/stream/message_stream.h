@@ -3,19 +3,22 @@
 // LOG_META and LOG_TYPES come first and every 60 s of machine time; SETPOINT every cycle for every
 // channel with axes; STATE of every channel 20 times a second; WORKPIECE when a program announces
 // one, TOOL when another one is put to work, TOOL_ROW then and when a value of it is written, PATH
-// when a preview is given, all every 60 s from then on; events, inputs and texts as they come. Time
+// when a preview is given, all every 60 s from then on; SITUATION when another one is in effect and
+// every second; events, inputs and texts as they come. Time
 // stamps are cycle x cycle time, so that equal runs give equal bytes. For one thread (publisher or
 // `simulate`), never for the real-time cycle.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "channels/contract/output.h"
+#include "channels/contract/reports.h"
 #include "channels/machine/machine.h"
 #include "recording/format/encode_inputs.h"
 #include "recording/format/log_description.h"
@@ -40,6 +43,9 @@ struct TextRecord {
 
 class MessageStream {
  public:
+  // The situation whose number an output shows.
+  using Situations = std::function<channels::SituationReport(const channels::ChannelOutput&)>;
+
   // The sinks outlive the stream.
   MessageStream(LogDescription description, std::vector<MessageSink*> sinks);
 
@@ -52,6 +58,9 @@ class MessageStream {
 
   // Sent in parts from now on, then every 60 s, until there is another one of its channel.
   void path(PathPreview preview);
+
+  // Whom to ask for situations; none are sent before. Lives as long as outputs come.
+  void ask_for_situations(Situations situations) { situations_ = std::move(situations); }
 
   // Whether announcements of workpieces are sent; what was announced comes as soon as they are.
   void allow_workpieces(bool allowed);
@@ -67,6 +76,7 @@ class MessageStream {
   void force_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void tool_row_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
+  void situation_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void path_when_due(std::int64_t cycle, int channel);
   void workpiece_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
 
@@ -87,6 +97,12 @@ class MessageStream {
     std::int64_t cycle = 0;  // of the latest message
   };
   PerChannel<ShownToolRow> tool_rows_{};
+  struct ShownSituation {
+    std::uint32_t number = 0;
+    std::int64_t cycle = -1;  // of the latest message; -1: none yet
+  };
+  PerChannel<ShownSituation> shown_situations_{};
+  Situations situations_;
   bool workpieces_allowed_ = true;
   struct ShownPath {
     PathPreview preview;
@@ -105,6 +121,7 @@ class MessageStream {
   struct Periods {                      // in cycles
     std::int64_t meta;
     std::int64_t state;
+    std::int64_t situation;
     std::int64_t path;  // between two parts of a preview
   };
   Periods periods_;

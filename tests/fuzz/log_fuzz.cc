@@ -18,6 +18,7 @@
 #include "stanok_messages/program_chunk_t.hpp"
 #include "stanok_messages/program_read_t.hpp"
 #include "stanok_messages/setpoint_t.hpp"
+#include "stanok_messages/situation_t.hpp"
 #include "stanok_messages/tool_row_t.hpp"
 #include "stanok_messages/tool_t.hpp"
 #include "stanok_messages/workpiece_t.hpp"
@@ -68,6 +69,7 @@ const Bytes& sound_log() {
     append_event<workpiece_t>(made, "WORKPIECE");
     append_event<tool_t>(made, "TOOL");
     append_event<tool_row_t>(made, "TOOL_ROW");
+    append_event<situation_t>(made, "SITUATION");
     append_event<log_types_t>(made, "LOG_TYPES");
     append_event<path_t>(made, "PATH");
     return made;

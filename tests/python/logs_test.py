@@ -55,6 +55,29 @@ class Logs(InFolder):
         command("log", "export", log, "--csv", table, "--channel", channel)
         return columns_of_csv(table)
 
+    def test_a_log_tells_what_gave_words_their_meaning(self):
+        program = self.folder / "frames.nc"
+        program.write_text("G21 G90\nG10 L2 P2 X10 Y20 Z30\nG0 X1\nG55 G52 X1\nG0 X2\nG20 G43.1 Z2\nG0 X0\nM30\n")
+        log = self.simulated(MILL, program)
+        told = list(stanok.open_log(log).situations())
+        numbers = [one["situation"] for one in told]
+        self.assertEqual(numbers, sorted(set(numbers)))
+        shifted = next(one for one in told if one["terms"]["local_shift"]["X"] == 1.0)
+        self.assertEqual(shifted["work_offset"], "G55")
+        self.assertEqual(shifted["terms"]["work_offset"], {"X": 10.0, "Y": 20.0, "Z": 30.0})
+        self.assertEqual(shifted["frame"]["offset"], {"X": 11.0, "Y": 20.0, "Z": 30.0})
+        self.assertEqual(shifted["units"], "mm")
+        longer = next(one for one in told if one["length"]["length"][2] != 0.0)
+        self.assertAlmostEqual(longer["length"]["length"][2], 50.8, 12)
+        self.assertEqual(longer["units"], "inch")
+        self.assertIn("G43.1", longer["codes"])
+        # As the command line tells it, for one channel too.
+        lines = command("log", "situations", log, "--json", "--channel", 1).splitlines()
+        self.assertEqual([json.loads(line) for line in lines], told)
+        table = command("log", "situations", log).splitlines()
+        self.assertEqual(len(table), len(told) + 1)
+        self.assertEqual(list(stanok.open_log(log).situations(channel=2)), [])
+
     def test_a_log_has_the_bits_of_its_export(self):
         log = self.simulated()
         setpoints = stanok.read_log(log)

@@ -157,6 +157,30 @@ TEST(MessageStream, SendsTheRowOfTheToolWhenItChangesAndEveryMinuteFromThenOn) {
   EXPECT_EQ(messages_on(file, "STANOK_MILL_CH1_TOOL_ROW"), 4);
 }
 
+// Whoever is asked is told which output is meant.
+TEST(MessageStream, SendsTheSituationWhenItChangesAndEverySecond) {
+  const auto file = test_file("lcm");
+  {
+    auto writer = LogWriter::open(file);
+    ASSERT_TRUE(writer);
+    LogDescription slow_machine = small_machine();
+    slow_machine.cycle_us = 20'000;
+    MessageStream stream(slow_machine, {writer->get()});
+    stream.cycle(output_of(0));  // nobody to ask: none
+    stream.ask_for_situations([](const channels::ChannelOutput& output) {
+      return channels::SituationReport{.number = output.tag.situation, .meaning = {}};
+    });
+    const int second = 50;
+    for (int cycle = 1; cycle <= 10 + 2 * second; ++cycle) {
+      channels::CycleOutput output = output_of(cycle);
+      output.channels[0].tag.situation = cycle < 5 ? 7U : cycle < 10 ? 8U : 9U;
+      stream.cycle(output);
+    }
+    ASSERT_TRUE((*writer)->flush());
+  }
+  EXPECT_EQ(messages_on(file, "STANOK_MILL_CH1_SITUATION"), 5);
+}
+
 TEST(Encode, GivesTheRowOfAToolBackToTheBit) {
   const tool_row_t message =
       to_tool_row(2, end_mill(0.1 + 0.2), {.utime = 5, .cycle = 4, .seq = 3});

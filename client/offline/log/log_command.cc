@@ -9,14 +9,18 @@
 #include <stdexcept>
 
 #include "client/offline/log/log_text.h"
+#include "client/offline/log/situation_text.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
+#include "client/terminal/text_table.h"
+#include "protocol/json_text.h"
 #include "recording/plot/log_plot.h"
 #include "recording/read/log_contents.h"
 #include "recording/read/log_export.h"
 #include "recording/read/log_play.h"
+#include "recording/read/situation_walk.h"
 #include "recording/stream/publisher.h"
 #include "runtime/replay.h"
 
@@ -74,6 +78,22 @@ int print_contents(const LogOptions& options) {
     write_data(text_of(contents, Terminal(STDOUT_FILENO)));
   }
   return contents.is_sound() && !contents.is_cut() ? 0 : exit_failed;
+}
+
+// One line of JSON, or one row, for each that comes into effect.
+int print_situations(const LogOptions& options) {
+  const auto contents = value_or_throw(recording::read_contents(options.file));
+  warn_when_damaged(contents, options.file);
+  auto walk = value_or_throw(recording::SituationWalk::open(options.file, options.channel));
+  if (options.json) {
+    while (const auto situation = walk.next())
+      write_data(protocol::json_text(situation_json(*situation, contents)) + "\n");
+    return 0;
+  }
+  TextTable table({"t [s]", "channel", "situation", "offset", "tool", "length [mm]", "codes"});
+  while (const auto situation = walk.next()) table.add_row(situation_row(*situation, contents));
+  write_data(table.text(Terminal(STDOUT_FILENO)));
+  return 0;
 }
 
 int export_csv(const LogOptions& options) {
@@ -195,6 +215,13 @@ void add_log_commands(CLI::App& app, int& exit_code) {
   const auto [info, info_options] =
       add("info", "show what a log file contains, and what is damaged", &print_contents);
   info->add_flag("--json", info_options->json, "print JSON");
+
+  const auto [situations, situation_options] =
+      add("situations", "show what gave the words of programs their meaning, and since when",
+          &print_situations);
+  situations->add_option("--channel", situation_options->channel, "channel; default: all")
+      ->check(CLI::PositiveNumber);
+  situations->add_flag("--json", situation_options->json, "print a line of JSON for each");
 
   const auto [csv, csv_options] =
       add("export", "write the setpoints of a log file as CSV", &export_csv);

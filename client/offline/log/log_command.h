@@ -1,4 +1,5 @@
-// `stanok log info|export|plot`: what a log file holds, as a summary, as CSV, as pictures.
+// `stanok log info|situations|export|plot`: what a log file holds, as a summary, as situations, as
+// CSV, as pictures.
 #pragma once
 
 #include <CLI/CLI.hpp>
