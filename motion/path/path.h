@@ -37,6 +37,8 @@ struct AxisLimits {
   double acceleration_max = unlimited;
   double jerk_max = unlimited;
   double rapid_max = unlimited;
+  // What a stop may use of acceleration_max and of jerk_max: 1 or more.
+  double stop_limits = 1.0;
 
   // The highest speed in rapid travel; velocity_max bounds it, too.
   [[nodiscard]] double rapid_speed_max() const RT_SAFE { return std::min(rapid_max, velocity_max); }
