@@ -27,10 +27,10 @@ MotionConfig machine_with(double stop_limits) {
 }
 
 // y = 3 sin (x / 4) in chords of 0.2 mm.
-std::vector<PathBlock> sine(double feed_per_min) {
+std::vector<PathBlock> sine(double feed_per_min, double length = 120.0) {
   std::vector<PathBlock> blocks;
   double x = 0.0;
-  while (x < 120.0) {
+  while (x < length) {
     x += 0.2 / std::hypot(1.0, 0.75 * std::cos(0.25 * x));
     PathBlock block = line_to({x, 3.0 * std::sin(0.25 * x)}, feed_per_min / 60.0);
     block.tag = {.run = 1, .block = blocks.size() + 1};
@@ -206,7 +206,7 @@ void expect_short_stops(int every) {
     for (const FeedControl& control :
          {FeedControl{.hold = true}, FeedControl{.feed_override = 0.0}}) {
       const Ratios99 found = ratios(config, sine(scene.feed_per_min), every, control);
-      EXPECT_GT(found.time.size(), 5U);
+      EXPECT_GT(found.time.size(), 1U);
       EXPECT_LE(Ratios99::at(found.time, 0.99), scene.time_p99);
       EXPECT_LE(Ratios99::at(found.way, 0.99), scene.way_p99);
       EXPECT_LE(Ratios99::at(found.time, 1.0), scene.time_max);
@@ -216,7 +216,7 @@ void expect_short_stops(int every) {
 }
 
 TEST(Stops, AreShort) {
-  expect_short_stops(50);
+  expect_short_stops(stanok::testing::is_sanitized ? 250 : 50);
 }
 
 TEST(Stops, AreShortFromEveryCycleFullSize) {
@@ -258,6 +258,34 @@ TEST(Stops, RestSoonOnRandomPaths) {
 
 TEST(Stops, RestSoonOnRandomPathsFullSize) {
   expect_rest_soon_on_random_paths(60, 7);
+}
+
+// The next chunk of the chain does not arrive: the path rests before the end of what is known,
+// within the stop limits, and goes on to its end when the chunk is there.
+TEST(Stops, RestBeforeTheEndOfWhatArrived) {
+  for (const double feed_per_min : {3000.0, 8000.0}) {
+    SCOPED_TRACE(feed_per_min);
+    const MotionConfig config = machine_with(1.2);
+    const std::vector<PathBlock> blocks = sine(feed_per_min, 900.0);
+    const CommittedPath path(config, blocks);
+    ASSERT_GE(path.chunks.size(), 3U);
+    for (std::size_t arrived = 2; arrived < path.chunks.size(); ++arrived) {
+      PathQueue queue;
+      path.fill(queue, PathQueue(1));
+      queue.show(arrived);
+      Interpolator interpolator(config);
+      bool has_starved = false;
+      InterpolatorOutput out;
+      for (int k = 0; k < 200000 && (k == 0 || out.state != PathState::idle); ++k) {
+        interpolator.advance(queue, {}, out);
+        ASSERT_LE(use_of(config, out), 1.0 + 1e-9) << "cycle " << k;
+        has_starved = has_starved || out.state == PathState::starved;
+        if (has_starved) queue.show(path.chunks.size());
+      }
+      EXPECT_TRUE(has_starved);
+      for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(out.axes[k].value, blocks.back().end[k]);
+    }
+  }
 }
 
 // At other overrides than 1, from changes of the override and from a resume: soon at rest, within
