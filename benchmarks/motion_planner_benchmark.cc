@@ -122,10 +122,15 @@ BENCHMARK_CAPTURE(plan_blocks, blends_at_axis_limits,
                   [] { return dense_path(without_runs(), axis_limits); });
 BENCHMARK_CAPTURE(plan_blocks, corners, corners);
 
+const std::vector<PathBuilder::Built>& path_at_feed() {
+  static const auto path = dense_path(five_axes(), feed);
+  return path;
+}
+
 // One cycle; the path is run again and again, preparation is not timed.
-void run_cycles(benchmark::State& state, const FeedControl& even, const FeedControl& odd) {
+void run_cycles(benchmark::State& state, const FeedControl& even, const FeedControl& odd,
+                const std::vector<PathBuilder::Built>& path = path_at_feed()) {
   const MotionConfig config = five_axes();
-  static const auto path = dense_path(config, feed);
   PathQueue queue;
   LookAhead look_ahead(config);
   Interpolator interpolator(config);
@@ -161,6 +166,13 @@ void cycle_hold_and_resume(benchmark::State& state) {
   run_cycles(state, {.hold = true}, {});
 }
 BENCHMARK(cycle_hold_and_resume);
+
+// Stops where the axes limit the speed: the mean of the brake, of rest and of the way back.
+void cycle_stop_at_axis_limits(benchmark::State& state) {
+  static const auto path = dense_path(five_axes(), axis_limits);
+  run_cycles(state, {.hold = true}, {}, path);
+}
+BENCHMARK(cycle_stop_at_axis_limits);
 
 }  // namespace
 }  // namespace stanok::motion

@@ -115,6 +115,7 @@ class MachineReader {
     read_table(*top_.machine, machine_keys(), section, scope);
     file_.machine.name = section.name;
     file_.machine.cycle_us = section.cycle_us;
+    set_stop_limits(section.stop_limits);
     file_.machine.tables_write_protected = section.tables_write_protected;
     file_.machine.program_bounds = {
         .bytes = checked_size(section.program_size_max_mb) << 20,
@@ -126,6 +127,14 @@ class MachineReader {
     }
     file_.machine.program_encoding = section.program_encoding;
     if (!section.tables.empty()) read_tables_named(section.tables, scope);
+  }
+
+  // Of axes that name none of their own.
+  void set_stop_limits(double stop_limits) {
+    for (std::size_t i = 0; i < file_.machine.axes.size(); ++i) {
+      if (top_.axes->get(i)->as_table()->contains("stop_limits")) continue;
+      file_.machine.axes[i].limits.stop_limits = stop_limits;
+    }
   }
 
   void read_tables_named(const std::string& name, const Scope& scope) {

@@ -23,8 +23,9 @@ double stopping_distance(double v, double a, double acceleration_max, double jer
 
 bool passes_limit(const kinematics::Jet& axis, const AxisLimits& limits, double slack) RT_SAFE {
   const auto farthest = [&](double sign) RT_SAFE {
-    return stopping_distance(sign * axis.first, sign * axis.second, limits.acceleration_max,
-                             limits.jerk_max);
+    return stopping_distance(sign * axis.first, sign * axis.second,
+                             limits.stop_limits * limits.acceleration_max,
+                             limits.stop_limits * limits.jerk_max);
   };
   if (axis.first > 0.0 && axis.value + farthest(1.0) > limits.position_max + slack) return true;
   return axis.first < 0.0 && axis.value - farthest(-1.0) < limits.position_min - slack;

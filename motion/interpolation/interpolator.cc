@@ -31,7 +31,7 @@ bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE
 Interpolator::Interpolator(const MotionConfig& config)
     : cycle_s_(config.cycle_s),
       axis_count_(config.axis_count),
-      plan_(config.cycle_s),
+      plan_(config),
       planner_(config),
       interruption_(config),
       synchronous_(config.cycle_s) {}
@@ -144,6 +144,7 @@ double Interpolator::run(PathQueue& queue, const FeedControl& control, double ti
   asked.feed_override = std::min(asked.feed_override, planner_.override_max());
   if (!is_on_plan_) rejoin_plan(queue, asked);
   if (!is_on_plan_) time = approach_plan(queue, asked, time);
+  if (const std::optional<double> left = run_stop(queue, asked, time)) return *left;
   if (is_on_plan_ && keeps_plan(queue, asked)) {
     time = run_plan(queue, asked, time);
     if (is_on_plan_ && (time <= 0.0 || !cursor_.has_phase())) return time;
@@ -209,8 +210,8 @@ double Interpolator::approach_plan(PathQueue& queue, FeedControl& asked, double 
   const PathMotion before = motion_;
   const double used = (start.s - motion_.s) / motion_.v;
   double left = 0.0;
-  if (used > 0.0 &&
-      !planner_.advance(queue, cursor_, asked, interruption_.wall(), used, motion_, left)) {
+  if (used > 0.0 && !planner_.advance(queue, cursor_, asked, UsedLimits::of_axes,
+                                      interruption_.wall(), used, motion_, left)) {
     return time;
   }
   if (std::abs(motion_.a) < even && std::abs(motion_.s - start.s) < rounding) {
@@ -246,9 +247,34 @@ double Interpolator::run_plan(PathQueue& queue, const FeedControl& asked, double
   plan_.start_at(queue, cursor_, motion_, pace);
   if (pace == 0.0 && leaves_plan(queue, asked)) return time;
   const double before = motion_.s;
-  const double left = plan_.advance(queue, cursor_, pace, time, motion_);
+  const double left = plan_.advance(queue, cursor_, pace, limits_for(queue, asked), time, motion_);
   advanced_ += motion_.s - before;
   return left;
+}
+
+// A stop along the plan, or its release when it is no longer asked; none: neither.
+std::optional<double> Interpolator::run_stop(PathQueue& queue, const FeedControl& asked,
+                                             double time) RT_SAFE {
+  const double before = motion_.s;
+  std::optional<double> left;
+  if (!is_on_plan_) return left;
+  if (limits_for(queue, asked) == UsedLimits::of_stops) {
+    if (!plan_.stops() && !brakes_along_plan(queue, cursor_, asked, motion_)) return left;
+    left = plan_.stop(queue, cursor_, time, motion_);
+  } else if (plan_.stops()) {
+    left = plan_.release(queue, cursor_, time, motion_);
+  }
+  advanced_ += motion_.s - before;
+  return left;
+}
+
+// Those of stops for hold, override 0, or a path that did not arrive in time; where the feed is
+// interrupted it comes to rest as it does for any change of the feed.
+UsedLimits Interpolator::limits_for(const PathQueue& queue, const FeedControl& asked) const
+    RT_SAFE {
+  if (at_rest() || overlap_.runs() || interruption_.is_on()) return UsedLimits::of_axes;
+  const bool is_stop = asked_pace(cursor_.segment(queue), asked) == 0.0 || !knows_next(queue);
+  return is_stop ? UsedLimits::of_stops : UsedLimits::of_axes;
 }
 
 // An override above 100 % under which the plan would be taken up again before anything could be
@@ -272,7 +298,8 @@ bool Interpolator::leaves_plan(const PathQueue& queue, const FeedControl& asked)
     if (!is_on_plan_) planner_.forget();
   } else {
     const double wall = gate_ahead(queue, cursor_, asked, motion_);
-    is_on_plan_ = !planner_.take_over_braking(queue, cursor_, wall, motion_);
+    is_on_plan_ =
+        !planner_.take_over_braking(queue, cursor_, wall, motion_, limits_for(queue, asked));
   }
   return !is_on_plan_;
 }
@@ -283,7 +310,8 @@ double Interpolator::run_under_override(PathQueue& queue, const FeedControl& ask
   if (is_on_plan_) planner_.forget();
   const double before = motion_.s;
   double left = 0.0;
-  is_on_plan_ = !planner_.advance(queue, cursor_, asked, interruption_.wall(), time, motion_, left);
+  is_on_plan_ = !planner_.advance(queue, cursor_, asked, limits_for(queue, asked),
+                                  interruption_.wall(), time, motion_, left);
   if (is_on_plan_) left = plan_.go_on(queue, cursor_, time, motion_);
   // At rest at the end of the chain, to rounding: exactly there.
   constexpr double rounding = 1e-11;  // mm; its jump is far below any limit

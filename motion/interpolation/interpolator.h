@@ -12,6 +12,8 @@
 // SynchronousRun, DwellPath) one moves the path at a time; the cursor stands where the motion is.
 #pragma once
 
+#include <optional>
+
 #include "base/numbered.h"
 #include "base/rt_safe.h"
 #include "motion/interpolation/axes_place.h"
@@ -121,6 +123,10 @@ class Interpolator {
   [[nodiscard]] PlanStart plan_to_approach(const PathQueue& queue, const FeedControl& asked,
                                            double while_s) const RT_SAFE;
   [[nodiscard]] double run_plan(PathQueue& queue, const FeedControl& asked, double time) RT_SAFE;
+  [[nodiscard]] std::optional<double> run_stop(PathQueue& queue, const FeedControl& asked,
+                                               double time) RT_SAFE;
+  [[nodiscard]] UsedLimits limits_for(const PathQueue& queue, const FeedControl& asked) const
+      RT_SAFE;
   void look_for_raise(const PathQueue& queue, const FeedControl& asked) RT_SAFE;
   [[nodiscard]] bool leaves_plan(const PathQueue& queue, const FeedControl& asked) RT_SAFE;
   [[nodiscard]] double run_under_override(PathQueue& queue, const FeedControl& asked, double time)

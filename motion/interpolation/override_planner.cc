@@ -89,8 +89,9 @@ void OverridePlanner::forget() RT_SAFE {
 }
 
 bool OverridePlanner::take_over_braking(const PathQueue& queue, const PathCursor& cursor,
-                                        double wall, const PathMotion& motion) RT_SAFE {
-  const std::optional<PhaseRun> run = brake_.find(queue, cursor, wall, motion);
+                                        double wall, const PathMotion& motion, UsedLimits used)
+    RT_SAFE {
+  const std::optional<PhaseRun> run = brake_.find(queue, cursor, wall, motion, used);
   if (!run) return false;
   brake_.restart();
   forget();
@@ -102,9 +103,10 @@ bool OverridePlanner::take_over_braking(const PathQueue& queue, const PathCursor
 }
 
 bool OverridePlanner::advance(const PathQueue& queue, const PathCursor& cursor,
-                              const FeedControl& control, const PathWall& wall, double time,
-                              PathMotion& motion, double& left) RT_SAFE {
+                              const FeedControl& control, UsedLimits used, const PathWall& wall,
+                              double time, PathMotion& motion, double& left) RT_SAFE {
   extend_reach(control);
+  reach_.stop_limits = used == UsedLimits::of_stops ? stop_limits_ : 1.0;
   sight_.look(queue, cursor, control, reach_, wall);
   if (find_plan(control, time, motion)) {
     current_ = 1 - current_;

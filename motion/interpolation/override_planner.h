@@ -21,21 +21,23 @@ namespace stanok::motion {
 
 class OverridePlanner {
  public:
-  explicit OverridePlanner(const MotionConfig& config) : cycle_s_(config.cycle_s), brake_(config) {}
+  explicit OverridePlanner(const MotionConfig& config)
+      : cycle_s_(config.cycle_s), stop_limits_(stop_limits_of(config)), brake_(config) {}
 
   // Takes over, or starts afresh, with no way to rest known.
   void forget() RT_SAFE;
   // Takes over from a plan that leaves the limits of segments: with a brake that is proved against
   // the axes (motion/interpolation/path_brake.h), or not yet. `wall` as there.
   [[nodiscard]] bool take_over_braking(const PathQueue& queue, const PathCursor& cursor,
-                                       double wall, const PathMotion& motion) RT_SAFE;
+                                       double wall, const PathMotion& motion, UsedLimits used)
+      RT_SAFE;
 
   // Runs for `time` from `motion`, which it replaces. Returns false, with nothing done, when it has
   // no plan that keeps the limits; possible only right after forget(). `left`: what remains of
-  // `time` at the end of the chain, or at the wall.
+  // `time` at the end of the chain, or at the wall. With the limits of stops what is asked is rest.
   [[nodiscard]] bool advance(const PathQueue& queue, const PathCursor& cursor,
-                             const FeedControl& control, const PathWall& wall, double time,
-                             PathMotion& motion, double& left) RT_SAFE;
+                             const FeedControl& control, UsedLimits used, const PathWall& wall,
+                             double time, PathMotion& motion, double& left) RT_SAFE;
 
   // Up to which overrides are followed, until it is bounded anew.
   void bound_override(double highest) RT_SAFE { override_max_ = highest; }
@@ -89,6 +91,7 @@ class OverridePlanner {
   [[nodiscard]] RestPlan& draft() RT_SAFE { return plans_[1 - current_]; }
 
   double cycle_s_;
+  double stop_limits_;
   PathSight sight_;
   std::array<RestPlan, 2> plans_{};  // the one being run, and a draft
   std::size_t current_ = 0;

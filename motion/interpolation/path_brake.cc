@@ -23,11 +23,13 @@ constexpr double brake_rounding = 1e-9;
 }  // namespace
 
 std::optional<PhaseRun> PathBrake::find(const PathQueue& queue, const PathCursor& cursor,
-                                        double wall, const PathMotion& from) RT_SAFE {
+                                        double wall, const PathMotion& from, UsedLimits used)
+    RT_SAFE {
   queue_ = &queue;
+  times_ = used == UsedLimits::of_stops ? stop_limits_ : 1.0;
   start_ = cursor.segment_start();
   seen_ = cursor.segments_seen(queue);
-  const PhaseRun run = draft(from, parts[attempt_ % parts.size()]);
+  const PhaseRun run = draft(from, times_ * parts[attempt_ % parts.size()]);
   ++attempt_;
   if (run.size() == 0 || run[run.size() - 1].s_end > wall) return std::nullopt;
   Place place{.start = start_};
@@ -110,8 +112,8 @@ bool PathBrake::sample(const PathMotion& motion, Place& place, Uses& uses) const
     const AxisLimits& limits = config_.axes[k];
     const double speed_max = segment.rapid ? limits.rapid_speed_max() : limits.velocity_max;
     uses.velocity[k] = use_max * axes[k].first / (speed_max * (1.0 + brake_rounding));
-    uses.acceleration[k] = axes[k].second / limits.acceleration_max;
-    uses.jerk[k] = axes[k].third / limits.jerk_max;
+    uses.acceleration[k] = axes[k].second / (times_ * limits.acceleration_max);
+    uses.jerk[k] = axes[k].third / (times_ * limits.jerk_max);
   }
   return true;
 }

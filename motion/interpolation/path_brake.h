@@ -21,7 +21,8 @@ namespace stanok::motion {
 
 class PathBrake {
  public:
-  explicit PathBrake(const MotionConfig& config) : config_(config) {}
+  explicit PathBrake(const MotionConfig& config)
+      : config_(config), stop_limits_(stop_limits_of(config)) {}
 
   // The next attempt is the hardest brake.
   void restart() RT_SAFE { attempt_ = 0; }
@@ -29,7 +30,8 @@ class PathBrake {
   // One attempt from `from`, softer ones after harder ones. None: it would break a limit, or leave
   // the path that is seen and open, up to `wall`: s along the current chunk.
   [[nodiscard]] std::optional<PhaseRun> find(const PathQueue& queue, const PathCursor& cursor,
-                                             double wall, const PathMotion& from) RT_SAFE;
+                                             double wall, const PathMotion& from, UsedLimits used)
+      RT_SAFE;
 
  private:
   // What velocity, acceleration and jerk use of their limits, by axis.
@@ -53,6 +55,8 @@ class PathBrake {
       RT_SAFE;
 
   const MotionConfig config_;
+  const double stop_limits_;
+  double times_ = 1.0;  // the limits, that this attempt may use
   std::size_t attempt_ = 0;
   const PathQueue* queue_ = nullptr;
   double start_ = 0.0;    // of the current segment

@@ -69,7 +69,11 @@ const PathSight::Limits& PathSight::limits_of(std::size_t index) RT_SAFE {
   const Segment& segment = queue_->segments[index];
   const SpeedSegment nominal = speed_segment(segment, 1.0);
   const double part = highest_part(segment);
-  const SpeedSegment limits = part > 1.0 && !segment.rapid ? speed_segment(segment, part) : nominal;
+  const double own_part = part > 1.0 && !segment.rapid ? part : 1.0;
+  const SpeedSegment limits = reach_.stop_limits > 1.0
+                                  ? speed_segment_of_stop(segment, own_part, reach_.stop_limits)
+                              : own_part > 1.0 ? speed_segment(segment, own_part)
+                                               : nominal;
   kept = {.number = number,
           .reach = reach_,
           .length = segment.length,

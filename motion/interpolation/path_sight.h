@@ -40,6 +40,7 @@ class PathSight {
     double feed_override = 1.0;
     double rev_per_min = 0.0;
     double controlled_per_s = 0.0;  // and the highest feed of force control
+    double stop_limits = 1.0;       // what a stop may use of the limits of acceleration and jerk
     friend bool operator==(const Reach&, const Reach&) = default;
   };
 

@@ -125,6 +125,17 @@ double asked_pace(const Segment& segment, const FeedControl& asked) RT_SAFE {
   return std::min(part, 1.0);
 }
 
+bool brakes_along_plan(const PathQueue& queue, const PathCursor& cursor, const FeedControl& asked,
+                       const PathMotion& motion) RT_SAFE {
+  if (!cursor.has_phase()) return false;
+  const Phase& phase = cursor.phase(queue);
+  if (phase.pace.holds()) return true;
+  const bool is_even = phase.a == 0.0 && phase.j == 0.0;
+  if (!is_even || cursor.segment(queue).geometry.kind == SegmentKind::line) return false;
+  const bool knows_next = cursor.chunk().last || !queue.chunks.empty();
+  return knows_next && gate_ahead(queue, cursor, asked, motion) == unlimited;
+}
+
 bool raises_feed(const Segment& segment, const FeedControl& asked) RT_SAFE {
   return !asked.hold && asked.rapid_override == 1.0 && segment.process.kind == LawKind::none &&
          asked.feed_part(segment.process.rev_per_min) >= 1.0;

@@ -29,6 +29,12 @@ struct PaceRoom {
 // The part of its own speed that overrides ask of the plan on a segment, at most 1.
 [[nodiscard]] double asked_pace(const Segment& segment, const FeedControl& asked) RT_SAFE;
 
+// A stop brakes along the plan (motion/interpolation/stop_brake.h): where that leaves the limits of
+// segments, or follows a curve at one speed. Straight segments and ramps are braked by the override
+// planner, which minds gates and the end of what is known.
+[[nodiscard]] bool brakes_along_plan(const PathQueue& queue, const PathCursor& cursor,
+                                     const FeedControl& asked, const PathMotion& motion) RT_SAFE;
+
 // The feed may be higher than planned, and nothing is asked to be slower; no law forms it.
 [[nodiscard]] bool raises_feed(const Segment& segment, const FeedControl& asked) RT_SAFE;
 

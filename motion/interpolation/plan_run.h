@@ -6,10 +6,14 @@
 // that of the cursor's current phase at its time and pace.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "base/rt_safe.h"
 #include "motion/interpolation/nominal_run.h"
 #include "motion/interpolation/pace.h"
 #include "motion/interpolation/path_cursor.h"
+#include "motion/interpolation/stop_brake.h"
 #include "motion/path/path_queue.h"
 #include "motion/profile/profile.h"
 
@@ -17,7 +21,11 @@ namespace stanok::motion {
 
 class PlanRun {
  public:
-  explicit PlanRun(double cycle_s) : cycle_s_(cycle_s), nominal_(cycle_s) {}
+  explicit PlanRun(const MotionConfig& config)
+      : cycle_s_(config.cycle_s),
+        nominal_(config.cycle_s),
+        brake_(config),
+        stop_limits_(stop_limits_of(config)) {}
 
   // The current phase began `time` ago, at the pace 1.
   void begin(double time = 0.0) RT_SAFE;
@@ -43,14 +51,24 @@ class PlanRun {
 
   // Runs for `time`, towards the pace `target`; returns what is left of it at the end of the chunk,
   // or where a plan that is run at a pace ends.
-  [[nodiscard]] double advance(PathQueue& queue, PathCursor& cursor, double target, double time,
-                               PathMotion& motion) RT_SAFE;
+  [[nodiscard]] double advance(PathQueue& queue, PathCursor& cursor, double target, UsedLimits used,
+                               double time, PathMotion& motion) RT_SAFE;
   // At the pace that there is: all that can be done where the override planner has nothing to
   // offer.
   [[nodiscard]] double go_on(PathQueue& queue, PathCursor& cursor, double time, PathMotion& motion)
       RT_SAFE {
-    return advance(queue, cursor, pace_.rate, time, motion);
+    return advance(queue, cursor, pace_.rate, UsedLimits::of_axes, time, motion);
   }
+
+  // A stop: runs for `time` towards rest, as fast as the stop limits of the axes allow, over ramps,
+  // too. None, with nothing done: there is no way from here that is known to keep them. It goes on
+  // until the motion rests, or is released.
+  [[nodiscard]] bool stops() const RT_SAFE { return brake_.is_on(); }
+  [[nodiscard]] std::optional<double> stop(PathQueue& queue, PathCursor& cursor, double time,
+                                           PathMotion& motion) RT_SAFE;
+  // Takes the change of the pace away that a stop has made, which is over then.
+  [[nodiscard]] double release(PathQueue& queue, PathCursor& cursor, double time,
+                               PathMotion& motion) RT_SAFE;
 
   // Time that the phases of the current chunk still take at the pace 1, or more than `farthest`.
   [[nodiscard]] double time_to_end(const PathQueue& queue, const PathCursor& cursor,
@@ -60,13 +78,21 @@ class PlanRun {
 
  private:
   [[nodiscard]] PaceStep next_step(const PathQueue& queue, const PathCursor& cursor, double target,
-                                   double time, double s) const RT_SAFE;
+                                   double time, double s) RT_SAFE;
   [[nodiscard]] double advance_at_pace(PathQueue& queue, PathCursor& cursor, double target,
                                        double time, PathMotion& motion) RT_SAFE;
+  [[nodiscard]] PaceStep rest_of_step(double time) const RT_SAFE;
+  enum class Ends : std::uint8_t { where_ramps_begin, with_chunk };
+  [[nodiscard]] double follow(PathQueue& queue, PathCursor& cursor, const PaceStep& step,
+                              double time, Ends ends, PathMotion& motion) RT_SAFE;
 
   double cycle_s_;
   NominalRun nominal_;
   Pace pace_;
+  StopBrake brake_;
+  double second_ = 0.0;  // p'' of the step of a stop
+  double stop_limits_;
+  UsedLimits used_ = UsedLimits::of_axes;  // by a change of the pace
 };
 
 }  // namespace stanok::motion

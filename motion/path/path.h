@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -37,6 +38,8 @@ struct AxisLimits {
   double acceleration_max = unlimited;
   double jerk_max = unlimited;
   double rapid_max = unlimited;
+  // What a stop may use of acceleration_max and of jerk_max: 1 or more.
+  double stop_limits = 1.0;
 
   // The highest speed in rapid travel; velocity_max bounds it, too.
   [[nodiscard]] double rapid_speed_max() const RT_SAFE { return std::min(rapid_max, velocity_max); }
@@ -54,6 +57,17 @@ struct MotionConfig {
   // its own.
   double run_turn_max_deg = 20.0;
 };
+
+// Of acceleration and jerk of the axes: those of the machine, or what stops may use
+// (AxisLimits::stop_limits).
+enum class UsedLimits : std::uint8_t { of_axes, of_stops };
+
+// What stops may use of the limits of every axis: the least of them.
+[[nodiscard]] inline double stop_limits_of(const MotionConfig& config) RT_SAFE {
+  double least = unlimited;
+  for (int k = 0; k < config.axis_count; ++k) least = std::min(least, config.axes[k].stop_limits);
+  return std::isfinite(least) ? std::max(least, 1.0) : 1.0;
+}
 
 // Origin of a block, carried to status, traces and alarms.
 struct BlockTag {

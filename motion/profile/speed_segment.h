@@ -18,4 +18,8 @@ struct SpeedSegment {
 // machine file leaves an axis unlimited.
 [[nodiscard]] SpeedSegment speed_segment(const Segment& segment, double part) RT_SAFE;
 
+// The same speed with what a stop may use of the limits of every axis, 1 or more, for its ramps.
+[[nodiscard]] SpeedSegment speed_segment_of_stop(const Segment& segment, double part,
+                                                 double stop_limits) RT_SAFE;
+
 }  // namespace stanok::motion

@@ -157,6 +157,52 @@ TEST(Stops, SlowDownAtOnceAndStartNothing) {
   }
 }
 
+// y = 3 sin (x / 4) in chords of 0.2 mm, at a feed at which the axes limit the speed.
+std::string wave() {
+  std::string text = "G90 G54 G64 F8000\n";
+  for (int n = 1; n <= 400; ++n) {
+    const double x = 0.17 * n;
+    text += "G1 X" + std::to_string(x) + " Y" + std::to_string(3.0 * std::sin(0.25 * x)) + "\n";
+  }
+  return text + "M30\n";
+}
+
+// Positions of X and Y from a stop on, in every cycle until they rest.
+std::vector<std::array<double, 2>> course_to_rest(OperatorAction stop, int cycles_before) {
+  MachineBench bench;
+  bench.program("wave.nc", wave());
+  bench.run(1, "wave.nc");
+  for (int n = 0; n < cycles_before; ++n) bench.cycle();
+  const bool is_machine_wide =
+      stop == OperatorAction::machine_estop || stop == OperatorAction::machine_off;
+  bench.ask(stop, is_machine_wide ? 0 : 1);
+  std::vector<std::array<double, 2>> course;
+  constexpr std::size_t cycles_max = 500;
+  do {
+    const ChannelOutput& now = bench.cycle().channels[0];
+    course.push_back({now.axes[0].position, now.axes[1].position});
+  } while (bench.channel(1).moving && course.size() < cycles_max);
+  return course;
+}
+
+// Whatever stops the path brakes it in the same way, to the bit: how soon it rests is judged where
+// the path is tested (tests/motion/stop_test.cc).
+TEST(Stops, OfEveryKindBrakeAlike) {
+  for (const int cycles_before : {400, 640}) {
+    const auto held = course_to_rest(OperatorAction::program_hold, cycles_before);
+    EXPECT_LT(held.size(), 250U);
+    EXPECT_GT(held.size(), 50U);
+    for (const OperatorAction stop : {OperatorAction::program_stop, OperatorAction::program_reset,
+                                      OperatorAction::machine_estop, OperatorAction::machine_off,
+                                      OperatorAction::override_feed}) {
+      const auto course = course_to_rest(stop, cycles_before);
+      const std::size_t common = std::min(held.size(), course.size());
+      EXPECT_LE(std::max(held.size(), course.size()), common + 2) << static_cast<int>(stop);
+      for (std::size_t n = 0; n < common; ++n) EXPECT_EQ(course[n], held[n]) << "cycle " << n;
+    }
+  }
+}
+
 // Ways in which something could begin behind a stop.
 class StopTest : public ::testing::Test {
  protected:

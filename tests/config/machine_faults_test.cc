@@ -155,6 +155,8 @@ const Case cases[] = {
      "start is 11; it must lie between min and max"},
     {"RapidAboveVelocity", 8, "velocity_max = 100\nrapid_max = 101", 9, 13,
      "rapid_max is 101; it must not exceed velocity_max, 100"},
+    {"StopLimitsBelowTheLimits", 8, "velocity_max = 100\nstop_limits = 0.9", 9, 15,
+     "stop_limits is 0.9; it must be 1 to 2"},
     {"ModuloOfLinearAxis", 8, "velocity_max = 100\nmodulo = 360", 9, 10,
      "modulo belongs to a rotary axis"},
     {"HomingWithoutVelocity", 10, "jerk_max = 2e4\n[axis.homing]\norder = 1", 11, 1,

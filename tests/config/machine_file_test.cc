@@ -19,6 +19,7 @@ constexpr std::string_view full_file = R"(
 [machine]
 name = "full"
 cycle_us = 500
+stop_limits = 1.5
 tables = "tables.toml"
 
 [[axis]]
@@ -31,6 +32,7 @@ velocity_max = 400.0
 acceleration_max = 4000.0
 jerk_max = 100000.0
 rapid_max = 300.0
+stop_limits = 1.25
 resolution = 0.0005
 kmv = 1000
 following_error_max = 0.25
@@ -169,6 +171,7 @@ TEST_F(FullFile, AxisGetsItsLimitsHomingControllerAndDrive) {
   EXPECT_EQ(axis.limits.acceleration_max, 4000.0);
   EXPECT_EQ(axis.limits.jerk_max, 100000.0);
   EXPECT_EQ(axis.limits.rapid_max, 300.0);
+  EXPECT_EQ(axis.limits.stop_limits, 1.25);
   EXPECT_EQ(axis.start, 12.5);
   EXPECT_EQ(axis.resolution, 0.0005);
   EXPECT_EQ(axis.kmv, 1000.0);
@@ -203,6 +206,7 @@ TEST_F(FullFile, RotaryAxisWithoutTravelIsUnlimitedAndItsDriveHasTheAddressOfIts
   EXPECT_EQ(axis.limits.position_min, -motion::unlimited);
   EXPECT_EQ(axis.limits.position_max, motion::unlimited);
   EXPECT_EQ(axis.limits.rapid_max, 90.0);
+  EXPECT_EQ(axis.limits.stop_limits, 1.5);
   EXPECT_EQ(axis.modulo_deg, 360.0);
   EXPECT_EQ(file_.bus.axes[1].unit, 2);
 }

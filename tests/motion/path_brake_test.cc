@@ -39,7 +39,8 @@ TEST(PathBrake, BrakesOnACircleAtTheSpeedThatItsAxesAllow) {
   PathBrake brake(three_axes(brake_limits));
   const PathMotion from{.s = 0.5, .v = 0.98 * std::sqrt(brake_limits.a * radius)};
   std::optional<PhaseRun> run;
-  for (int k = 0; k < 4 && !run; ++k) run = brake.find(bench.queue, bench.cursor, unlimited, from);
+  for (int k = 0; k < 4 && !run; ++k)
+    run = brake.find(bench.queue, bench.cursor, unlimited, from, UsedLimits::of_axes);
   ASSERT_TRUE(run);
   EXPECT_EQ((*run)[run->size() - 1].v_end, 0.0);
   double used = 0.0;
@@ -68,11 +69,12 @@ TEST(PathBrake, StaysOnThePathThatIsOpen) {
   PathBrake brake(three_axes(brake_limits));
   const PathMotion from{.s = 0.0, .v = 400.0};
   const double distance = ramp_distance(0.0, 400.0, {.a = brake_limits.a, .j = brake_limits.j});
-  const auto run = brake.find(bench.queue, bench.cursor, 1.05 * distance, from);
+  const auto run =
+      brake.find(bench.queue, bench.cursor, 1.05 * distance, from, UsedLimits::of_axes);
   ASSERT_TRUE(run);
   EXPECT_NEAR((*run)[run->size() - 1].s_end, distance, 0.04 * distance);
   brake.restart();
-  EXPECT_FALSE(brake.find(bench.queue, bench.cursor, 0.999 * distance, from));
+  EXPECT_FALSE(brake.find(bench.queue, bench.cursor, 0.999 * distance, from, UsedLimits::of_axes));
 }
 
 // A sharp corner of 0.4 um that is passed within a fraction of a cycle is not passed over.
@@ -82,7 +84,8 @@ TEST(PathBrake, SeesSegmentsThatACycleDoesNotMeet) {
   const BrakeBench bench(chain);
   PathBrake brake(three_axes(brake_limits));
   for (int k = 0; k < 8; ++k) {
-    EXPECT_FALSE(brake.find(bench.queue, bench.cursor, unlimited, {.s = 0.0, .v = 100.0}));
+    EXPECT_FALSE(brake.find(bench.queue, bench.cursor, unlimited, {.s = 0.0, .v = 100.0},
+                            UsedLimits::of_axes));
   }
 }
 
