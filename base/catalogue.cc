@@ -447,7 +447,7 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"W720", "a recording is not complete", Reaction::warning,
      "check what slows the recorder down: a slow disk, or a computer with too much to do; log "
      "status counts the losses",
-     "motion is not affected; stanok log verify repeats the log up to the cycle named"},
+     "motion is not affected; stanok log verify says what of the log can be repeated"},
     {"W721", "messages are missing", Reaction::warning,
      "check what slows the daemon down: a computer with too much to do",
      "motion is not affected; alarm history has the alarms among them"},

@@ -54,6 +54,7 @@ channels::MachineOptions machine_options(const SimulationOptions& options,
                                          const std::function<bool()>& interrupted) {
   channels::MachineOptions chosen = setup_of(options).options;
   chosen.gives_up = interrupted;
+  chosen.changes_kept_s = options.file.machine.cycle_us * 1e-6;  // taken after each cycle
   return chosen;
 }
 
@@ -196,6 +197,10 @@ class Simulation {
     channels::InputRecord input;
     while (machine_.input_records().pop(input)) {
       for (CycleObserver* observer : observers_) observer->observe(input);
+    }
+    channels::InputChange change;
+    while (machine_.input_changes().pop(change)) {
+      for (CycleObserver* observer : observers_) observer->observe(change);
     }
     for (CycleObserver* observer : observers_) observer->observe(*output_);
     channels::Event event;

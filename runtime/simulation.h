@@ -83,6 +83,7 @@ class CycleObserver {
   virtual void observe(const channels::CycleOutput& output) = 0;
   virtual void observe(const channels::Event& event) { static_cast<void>(event); }
   virtual void observe(const channels::InputRecord& input) { static_cast<void>(input); }
+  virtual void observe(const channels::InputChange& change) { static_cast<void>(change); }
   virtual void observe(const recording::ProgramRead& read, std::int64_t cycle) {
     static_cast<void>(read);
     static_cast<void>(cycle);

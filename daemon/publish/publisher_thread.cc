@@ -32,6 +32,7 @@ std::size_t drain(const CycleRings& rings, const std::vector<CycleListener*>& li
     }
   }
   return drain_ring(rings.inputs, rings.inputs.size(), listeners, &CycleListener::on_input) +
+         drain_ring(rings.changes, rings.changes.size(), listeners, &CycleListener::on_change) +
          drain_ring(rings.outputs, outputs, listeners, &CycleListener::on_output) +
          drain_ring(rings.events, rings.events.size(), listeners, &CycleListener::on_event) +
          drain_ring(rings.replies, rings.replies.size(), listeners, &CycleListener::on_reply);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/ring.h"
+#include "channels/contract/input_change.h"
 #include "channels/contract/operator_event.h"
 #include "channels/contract/output.h"
 #include "recording/format/encode_inputs.h"
@@ -27,6 +28,7 @@ class CycleListener {
   virtual void on_program_read(const recording::ProgramRead& read) { static_cast<void>(read); }
   virtual void on_event(const channels::Event& event) { static_cast<void>(event); }
   virtual void on_input(const channels::InputRecord& input) { static_cast<void>(input); }
+  virtual void on_change(const channels::InputChange& change) { static_cast<void>(change); }
   virtual void on_reply(const channels::OperatorReply& reply) { static_cast<void>(reply); }
 };
 
@@ -34,6 +36,7 @@ struct CycleRings {
   Ring<channels::CycleOutput>& outputs;
   Ring<channels::Event>& events;
   Ring<channels::InputRecord>& inputs;
+  Ring<channels::InputChange>& changes;
   Ring<channels::OperatorReply>& replies;
   std::function<std::vector<recording::ProgramRead>()> program_reads{};
 };

@@ -31,6 +31,8 @@ constexpr int real_time_priority =
     80;  // above what the system runs by default, below its watchdogs
 constexpr int drive_bus_priority = 60;
 constexpr int exit_machine_fault = 7;
+// Before an input is missing in the recording; setpoints are missing after a second.
+constexpr double recorder_may_be_late_s = 30.0;
 
 std::string build_description() {
 #ifdef __OPTIMIZE__
@@ -61,6 +63,7 @@ runtime::AssemblyOptions assembly_options(const DaemonOptions& options,
   runtime::AssemblyOptions chosen;
   chosen.file = file;
   chosen.drives = options.drives.value_or(runtime::DriveChoice::embedded);
+  chosen.machine.changes_kept_s = recorder_may_be_late_s;
   chosen.program_roots = runtime::standard_cycle_folders();
   chosen.program_roots.insert(chosen.program_roots.begin(), program_root);
   return chosen;
@@ -97,8 +100,9 @@ class RealTimeThread {
 
 CycleRings rings_of(runtime::Assembly& assembly) {
   channels::Machine& machine = assembly.machine();
-  return {assembly.outputs(), machine.events(), machine.input_records(), machine.replies(),
-          [&assembly] { return assembly.program_reads(); }};
+  return {assembly.outputs(),      machine.events(),
+          machine.input_records(), machine.input_changes(),
+          machine.replies(),       [&assembly] { return assembly.program_reads(); }};
 }
 
 // Nothing: none is named, or the system has no such user, which keeps no machine from running.

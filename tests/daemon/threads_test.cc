@@ -68,8 +68,9 @@ struct Rings {
   Ring<channels::CycleOutput> outputs{64};
   Ring<channels::Event> events{8};
   Ring<channels::InputRecord> inputs{8};
+  Ring<channels::InputChange> changes{8};
   Ring<channels::OperatorReply> replies{8};
-  [[nodiscard]] CycleRings all() { return {outputs, events, inputs, replies}; }
+  [[nodiscard]] CycleRings all() { return {outputs, events, inputs, changes, replies}; }
 };
 
 TEST(Drain, HandsEverythingToEveryListenerInOrder) {

@@ -66,17 +66,12 @@ class RecordedByChance {
   }
 
   void run(int cycles) {
-    const int channels = static_cast<int>(assembly_.file().machine.channels.size());
     for (int n = 0; n < cycles; ++n) {
-      for (int k = 0; k < channels; ++k) {
-        for (int steps = chance(4); steps > 0; --steps)
-          static_cast<void>(assembly_.machine().prepare(k));
-      }
+      prepare_by_chance();
       const channels::CycleOutput& output = assembly_.cycle(events_);
       events_.clear();
       for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
-      channels::InputRecord input;
-      while (assembly_.machine().input_records().pop(input)) log_.observe(input);
+      hand_inputs_on();
       log_.observe(output);
       channels::Event event;
       while (assembly_.machine().events().pop(event)) log_.observe(event);
@@ -94,15 +89,35 @@ class RecordedByChance {
   [[nodiscard]] std::filesystem::path path() const { return files_.folder() / "run.lcm"; }
   void close() { EXPECT_EQ(log_.close(), ""); }
   [[nodiscard]] std::string closing_word() { return log_.close(); }
-  // Cycles whose outputs do not get to the log.
+  // Cycles whose outputs do not get to the log; what is asked for takes effect in the first one.
   void lose_outputs(int cycles) {
-    for (int n = 0; n < cycles; ++n) static_cast<void>(assembly_.cycle({}));
+    for (int n = 0; n < cycles; ++n) {
+      prepare_by_chance();
+      const channels::CycleOutput& output = assembly_.cycle(events_);
+      events_.clear();
+      for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
+      hand_inputs_on();
+    }
   }
 
  private:
+  void prepare_by_chance() {
+    const int channels = static_cast<int>(assembly_.file().machine.channels.size());
+    for (int k = 0; k < channels; ++k) {
+      for (int steps = chance(4); steps > 0; --steps)
+        static_cast<void>(assembly_.machine().prepare(k));
+    }
+  }
+  void hand_inputs_on() {
+    channels::InputRecord input;
+    while (assembly_.machine().input_records().pop(input)) log_.observe(input);
+    channels::InputChange change;
+    while (assembly_.machine().input_changes().pop(change)) log_.observe(change);
+  }
+
   std::mt19937_64 random_;
   config::TemporaryFiles files_;
-  RunSetup setup_{.options = {.on_at_start = true}};
+  RunSetup setup_{.options = {.on_at_start = true, .changes_kept_s = 1e-3}};
   Assembly assembly_;
   LogObserver log_;
   std::vector<channels::OperatorEvent> events_;
