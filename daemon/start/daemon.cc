@@ -12,6 +12,7 @@
 #include "daemon/cycle/preparation_threads.h"
 #include "daemon/host/signals.h"
 #include "daemon/host/state_directory.h"
+#include "daemon/publish/reply_thread.h"
 #include "daemon/publish/report_listener.h"
 #include "daemon/server/operator_server.h"
 #include "daemon/start/assembled_machine.h"
@@ -100,9 +101,8 @@ class RealTimeThread {
 
 CycleRings rings_of(runtime::Assembly& assembly) {
   channels::Machine& machine = assembly.machine();
-  return {assembly.outputs(),      machine.events(),
-          machine.input_records(), machine.input_changes(),
-          machine.replies(),       [&assembly] { return assembly.program_reads(); }};
+  return {assembly.outputs(), machine.events(), machine.input_records(), machine.input_changes(),
+          [&assembly] { return assembly.program_reads(); }};
 }
 
 // Nothing: none is named, or the system has no such user, which keeps no machine from running.
@@ -182,6 +182,10 @@ int run_daemon(const DaemonOptions& options) {
   const PublisherThread publisher(
       rings_of(assembly), {&recorder, &machine, &server, &scope_feed, &reports},
       [&](std::string_view reason) { fail("the publisher", "", reason); });
+  const ReplyThread replies(
+      assembly.machine().replies(), [&] { return machine.cycles(); },
+      [&](const channels::OperatorReply& reply) { server.on_reply(reply); },
+      [&](std::string_view reason) { fail("the hand-over of replies", "", reason); });
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),
       [&](int index) { return assembly.machine().prepare(index); },
