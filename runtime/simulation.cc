@@ -11,9 +11,8 @@
 namespace stanok::runtime {
 namespace {
 
-// Between two looks at `interrupted`.
-constexpr std::int64_t interruption_interval = 1024;  // cycles
-constexpr int interruption_steps = 1024;              // of a preparation
+// Steps of a preparation between two looks at `interrupted`.
+constexpr int interruption_steps = 1024;
 
 // Steps in which a preparation may compute without giving the cycle anything before the clock goes
 // on, 20 million instructions. From then on it gets one step a cycle, until it gives something.
@@ -94,7 +93,7 @@ class Simulation {
         break;
       result_.until_reached = options_.until_s >= 0.0 && output_->cycle >= cycles_until;
       if (result_.until_reached) break;
-      if (output_->cycle % interruption_interval == 0 && interrupted()) break;
+      if (interrupted()) break;
       cycle();
     }
     result_.wall_s =
