@@ -192,6 +192,10 @@ Progress Machine::prepare(int index) {
   return parts_->seats[index]->preparation.step();
 }
 
+bool Machine::is_urgent(int index) const {
+  return parts_->seats[index]->preparation.is_urgent();
+}
+
 bool Machine::has_prepared(int index, const Arrivals& recorded) const {
   return parts_->seats[index]->channel.has_prepared(recorded);
 }

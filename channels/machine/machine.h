@@ -65,6 +65,9 @@ class Machine {
 
   // Channel `index` counts from 0. One thread per channel at most.
   [[nodiscard]] Progress prepare(int index);
+  // Whether the axes of channel `index` may come to rest in the cut where its preparation is late;
+  // from the thread that prepares it.
+  [[nodiscard]] bool is_urgent(int index) const;
   // Whether channel `index` has prepared what a recorded cycle saw of it. Not while a cycle runs.
   [[nodiscard]] bool has_prepared(int index, const Arrivals& recorded) const;
 

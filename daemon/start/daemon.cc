@@ -189,6 +189,7 @@ int run_daemon(const DaemonOptions& options) {
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),
       [&](int index) { return assembly.machine().prepare(index); },
+      [&](int index) { return assembly.machine().is_urgent(index); },
       [&](int index, std::string_view reason) {
         fail("the preparation of channel ", file.machine.channels[index].name, reason);
       });

@@ -29,7 +29,7 @@ TEST(PreparationThreads, WorkOnEveryChannelUntilTheyAreStopped) {
           if (++calls.at(static_cast<std::size_t>(index)) == 5) all_worked.count_down();
           return index == 0 ? Progress::blocked : Progress::worked;
         },
-        [](int, std::string_view) { FAIL(); });
+        [](int index) { return index == 1; }, [](int, std::string_view) { FAIL(); });
     all_worked.wait();
   }
   const int after = calls[1];
@@ -48,6 +48,7 @@ TEST(PreparationThreads, TellAFaultAndKeepTheOtherChannelsAtWork) {
           if (!other_worked.try_wait()) other_worked.count_down();
           return Progress::worked;
         },
+        [](int) { return false; },
         [&](int index, std::string_view reason) {
           told = std::to_string(index) + " " + std::string(reason);
           faulted.count_down();

@@ -74,12 +74,25 @@ class RecordedByChance {
       hand_inputs_on();
       log_.observe(output);
       channels::Event event;
-      while (assembly_.machine().events().pop(event)) log_.observe(event);
+      while (assembly_.machine().events().pop(event)) {
+        log_.observe(event);
+        if (on_event_) on_event_(event);
+      }
+      if (on_output_) on_output_(output);
       channels::OperatorReply reply;
       while (assembly_.machine().replies().pop(reply)) {
       }
       moved_ = moved_ || output.channels[0].path_speed > 1.0;
     }
+  }
+
+  // From now on each preparation comes to one step in so many cycles; 0: as chance lets it.
+  void prepare_every(int cycles) { cycles_per_step_ = cycles; }
+  // Looks at every output and event from now on.
+  void watch(std::function<void(const channels::CycleOutput&)> outputs,
+             std::function<void(const channels::Event&)> events) {
+    on_output_ = std::move(outputs);
+    on_event_ = std::move(events);
   }
 
   [[nodiscard]] int chance(int count) {
@@ -103,6 +116,12 @@ class RecordedByChance {
  private:
   void prepare_by_chance() {
     const int channels = static_cast<int>(assembly_.file().machine.channels.size());
+    if (cycles_per_step_ > 0) {
+      if (++cycles_without_step_ < cycles_per_step_) return;
+      cycles_without_step_ = 0;
+      for (int k = 0; k < channels; ++k) static_cast<void>(assembly_.machine().prepare(k));
+      return;
+    }
     for (int k = 0; k < channels; ++k) {
       for (int steps = chance(4); steps > 0; --steps)
         static_cast<void>(assembly_.machine().prepare(k));
@@ -122,6 +141,10 @@ class RecordedByChance {
   LogObserver log_;
   std::vector<channels::OperatorEvent> events_;
   std::uint64_t last_id_ = 0;
+  int cycles_per_step_ = 0;
+  int cycles_without_step_ = 0;
+  std::function<void(const channels::CycleOutput&)> on_output_;
+  std::function<void(const channels::Event&)> on_event_;
   bool moved_ = false;
 };
 
