@@ -447,13 +447,17 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"W720", "a recording is not complete", Reaction::warning,
      "check what slows the recorder down: a slow disk, or a computer with too much to do; log "
      "status counts the losses",
-     "motion is not affected; stanok log verify repeats the log up to the cycle named"},
+     "motion is not affected; stanok log verify says what of the log can be repeated"},
     {"W721", "messages are missing", Reaction::warning,
      "check what slows the daemon down: a computer with too much to do",
      "motion is not affected; alarm history has the alarms among them"},
     {"W722", "the history is not complete", Reaction::warning,
      "check what slows the daemon down: a computer with too much to do",
      "motion is not affected; the recorded log has every run and alarm"},
+    {"W730", "the axes rested in the cut", Reaction::warning,
+     "give the computer less other work, or the preparation its real-time rights (machine status); "
+     "programs of very short blocks need fewer of them, as stanok check says",
+     "the program goes on by itself when two seconds of motion are prepared"},
     {"W810", "the feed is above what the axes can do", Reaction::warning,
      "the text names the block and the limit; the path runs as fast as the axes can",
      "nothing needs to be done"},

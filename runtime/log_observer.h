@@ -32,6 +32,8 @@ class LogObserver final : public CycleObserver {
     if (is_loss && lost_cycle_ == 0) lost_cycle_ = input.cycle;
   }
 
+  void observe(const channels::InputChange& change) override { stream_->input(change); }
+
   // Empty, or why the log ends early or cannot be repeated.
   [[nodiscard]] std::string close();
 

@@ -1,6 +1,6 @@
 // OutputBook: every cycle's output on its way to the publisher; a full ring drops the newest,
 // counted. Operators get an event (W720) at the begin of each gap; one gap ends when half of the
-// ring is free.
+// ring is free. Inputs go by another way, so that a replay computes again what is missing.
 #pragma once
 
 #include <atomic>
@@ -39,7 +39,7 @@ class OutputBook {
     event.text.append(static_cast<long>(cycle))
         .append(
             " and of some behind it are missing in the recording: the recorder fell behind; "
-            "the log can be repeated up to there only");
+            "a replay computes them again");
     has_told_gap_ = events_.push(event);
   }
 

@@ -25,17 +25,25 @@ struct SetpointDifference {
   std::uint64_t units_in_last_place = 0;  // between both; 0 for what is no double
 };
 
+// Cycles, the first and the last one, of which the log has no setpoint: the recorder fell behind.
+// They are repeated, for those behind them, and not compared.
+struct SetpointGap {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
 struct ReplayResult {
   std::int64_t cycles = 0;     // repeated
   std::int64_t setpoints = 0;  // compared
   std::optional<SetpointDifference> difference;
+  std::vector<SetpointGap> gaps;
   std::optional<std::int64_t> lost_cycle;  // W720: from this one on it cannot be repeated
   bool is_damaged = false;                 // bytes are not as they were written
   bool is_cut = false;                     // it ends within an event or without its trailer
   bool has_checks = false;                 // every byte is covered; else the setpoints only
   std::vector<std::string> remarks;        // another build, damage, where the log ends
 
-  // The log has neither damage nor a gap, and its end.
+  // The log has no damage, every input, and its end.
   [[nodiscard]] bool is_complete() const { return !lost_cycle && !is_damaged && !is_cut; }
   [[nodiscard]] bool is_same() const { return !difference && is_complete(); }
 };

@@ -11,9 +11,8 @@
 namespace stanok::runtime {
 namespace {
 
-// Between two looks at `interrupted`.
-constexpr std::int64_t interruption_interval = 1024;  // cycles
-constexpr int interruption_steps = 1024;              // of a preparation
+// Steps of a preparation between two looks at `interrupted`.
+constexpr int interruption_steps = 1024;
 
 // Steps in which a preparation may compute without giving the cycle anything before the clock goes
 // on, 20 million instructions. From then on it gets one step a cycle, until it gives something.
@@ -54,6 +53,7 @@ channels::MachineOptions machine_options(const SimulationOptions& options,
                                          const std::function<bool()>& interrupted) {
   channels::MachineOptions chosen = setup_of(options).options;
   chosen.gives_up = interrupted;
+  chosen.changes_kept_s = options.file.machine.cycle_us * 1e-6;  // taken after each cycle
   return chosen;
 }
 
@@ -93,7 +93,7 @@ class Simulation {
         break;
       result_.until_reached = options_.until_s >= 0.0 && output_->cycle >= cycles_until;
       if (result_.until_reached) break;
-      if (output_->cycle % interruption_interval == 0 && interrupted()) break;
+      if (interrupted()) break;
       cycle();
     }
     result_.wall_s =
@@ -196,6 +196,10 @@ class Simulation {
     channels::InputRecord input;
     while (machine_.input_records().pop(input)) {
       for (CycleObserver* observer : observers_) observer->observe(input);
+    }
+    channels::InputChange change;
+    while (machine_.input_changes().pop(change)) {
+      for (CycleObserver* observer : observers_) observer->observe(change);
     }
     for (CycleObserver* observer : observers_) observer->observe(*output_);
     channels::Event event;

@@ -83,6 +83,7 @@ class CycleObserver {
   virtual void observe(const channels::CycleOutput& output) = 0;
   virtual void observe(const channels::Event& event) { static_cast<void>(event); }
   virtual void observe(const channels::InputRecord& input) { static_cast<void>(input); }
+  virtual void observe(const channels::InputChange& change) { static_cast<void>(change); }
   virtual void observe(const recording::ProgramRead& read, std::int64_t cycle) {
     static_cast<void>(read);
     static_cast<void>(cycle);
@@ -92,7 +93,8 @@ class CycleObserver {
 // What the run depends on before its first cycle.
 [[nodiscard]] RunSetup setup_of(const SimulationOptions& options);
 
-// Runs to the end. `interrupted` is asked now and then; true ends the simulation where it is.
+// Runs to the end. `interrupted` is asked in every cycle, which may take some 100 ms where a fine
+// workpiece is cut; true ends the simulation where it is.
 [[nodiscard]] SimulationResult simulate(const SimulationOptions& options,
                                         const std::vector<CycleObserver*>& observers,
                                         const std::function<bool()>& interrupted);

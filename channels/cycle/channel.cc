@@ -70,6 +70,7 @@ void Channel::forget_path() RT_SAFE {
   const std::uint64_t items = link.items.popped();
   arrivals_.show_rest();
   motion.forget_path(link.path);
+  refill_.forget();
   marks.forget_riders();
   announcements_.forget();
   arrivals_.begin_anew(items);
@@ -101,15 +102,23 @@ void Channel::move() RT_SAFE {
                                     is_guarded ? SoftLimits::guarded : SoftLimits::not_guarded);
   runs.advance(motion.path(), lookahead_blocks);
   items_.follow(motion.path().tag);
+  tell_when_it_runs_dry();
   if (fault) run.fault(*fault);
   if (!motion.manual().is_active()) run.apply(Change::hand_ends);
+}
+
+void Channel::tell_when_it_runs_dry() RT_SAFE {
+  if (!state().is_running() || state().is_ending()) return refill_.forget();
+  if (!refill_.look(motion.path().state, link.path)) return;
+  log.tell("W730", "the axes rest: the blocks behind this one were not prepared in time",
+           motion.path().tag);
 }
 
 motion::FeedControl Channel::feed_control() RT_SAFE {
   motion::FeedControl control;
   control.feed_override = switches.feed_override_in_force();
   control.rapid_override = switches.rapid_override();
-  control.hold = run.holds_path() || items_.probe().ends_path();
+  control.hold = run.holds_path() || items_.probe().ends_path() || refill_.is_on();
   control.leaves_thread = run.leaves_thread();
   control.law_part = process.form_feed();
   process.apply(control);

@@ -16,6 +16,7 @@
 #include "channels/cycle/arrival_window.h"
 #include "channels/cycle/cycle_parts.h"
 #include "channels/cycle/item_worker.h"
+#include "channels/cycle/refill.h"
 
 namespace stanok::channels {
 
@@ -71,6 +72,7 @@ class Channel : public CycleParts {
   void move() RT_SAFE;
   [[nodiscard]] motion::FeedControl feed_control() RT_SAFE;
   [[nodiscard]] std::uint64_t closed_from_block() const RT_SAFE;
+  void tell_when_it_runs_dry() RT_SAFE;
   void follow_thread() RT_SAFE;
   void control_force() RT_SAFE;
   void stop_at_step() RT_SAFE;
@@ -81,6 +83,7 @@ class Channel : public CycleParts {
   ItemWorker items_;
   Announcements announcements_;
   ArrivalWindow arrivals_;
+  Refill refill_;
 };
 
 }  // namespace stanok::channels

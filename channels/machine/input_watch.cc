@@ -25,11 +25,13 @@ void InputWatch::take(std::int64_t cycle, const Signals* signals,
 void InputWatch::take(const Signals& next) RT_SAFE {
   for (int k = 0; k < Signals::digital_count; ++k) {
     if (next.is_on(k) == signals_.is_on(k)) continue;
-    book_.note({.cycle = cycle_, .content = DigitalInput{.number = k, .is_on = next.is_on(k)}});
+    books_.inputs.note(
+        {.cycle = cycle_, .content = DigitalInput{.number = k, .is_on = next.is_on(k)}});
   }
   for (int k = 0; k < Signals::analog_count; ++k) {
     if (next.analog[k] == signals_.analog[k]) continue;
-    book_.note({.cycle = cycle_, .content = AnalogInput{.number = k, .value = next.analog[k]}});
+    books_.changes.note(
+        {.cycle = cycle_, .content = AnalogInput{.number = k, .value = next.analog[k]}});
   }
   signals_ = next;
 }
@@ -38,8 +40,9 @@ void InputWatch::take(const Signals& next) RT_SAFE {
 void InputWatch::take(int spindle, SpindleQuantity quantity, double given, double& kept) RT_SAFE {
   if (given == kept || (std::isnan(given) && std::isnan(kept))) return;
   kept = given;
-  book_.note({.cycle = cycle_,
-              .content = SpindleInput{.spindle = spindle, .quantity = quantity, .value = given}});
+  books_.changes.note(
+      {.cycle = cycle_,
+       .content = SpindleInput{.spindle = spindle, .quantity = quantity, .value = given}});
 }
 
 }  // namespace stanok::channels

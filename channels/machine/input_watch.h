@@ -11,16 +11,23 @@
 #include "base/rt_safe.h"
 #include "base/signals.h"
 #include "channels/contract/output.h"
+#include "channels/stores/change_book.h"
 #include "channels/stores/input_book.h"
 
 namespace stanok::channels {
 
+// Where what changes is written down: digital signals; all that may change in each cycle.
+struct WatchBooks {
+  InputBook& inputs;
+  ChangeBook& changes;
+};
+
 class InputWatch {
  public:
   // Sensors of as many spindles. `looped_outputs`: seen as inputs where none are given; nullptr:
-  // they are not. It and the book outlive the watch.
-  InputWatch(std::size_t spindle_count, const Signals* looped_outputs, InputBook& book)
-      : looped_outputs_(looped_outputs), book_(book), sensors_(spindle_count) {}
+  // they are not. It and the books outlive the watch.
+  InputWatch(std::size_t spindle_count, const Signals* looped_outputs, const WatchBooks& books)
+      : looped_outputs_(looped_outputs), books_(books), sensors_(spindle_count) {}
 
   // Once a cycle. `signals`: nullptr: none are given. `sensors`: in the order of the machine's
   // spindles; of those behind its end the values stay.
@@ -35,7 +42,7 @@ class InputWatch {
   void take(int spindle, SpindleQuantity quantity, double given, double& kept) RT_SAFE;
 
   const Signals* looped_outputs_;
-  InputBook& book_;
+  WatchBooks books_;
   Signals signals_;
   NumberedList<SpindleSensors> sensors_;
   std::int64_t cycle_ = 0;

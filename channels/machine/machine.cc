@@ -1,6 +1,7 @@
 #include "channels/machine/machine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "base/place.h"
@@ -9,6 +10,7 @@
 #include "channels/cycle/channel.h"
 #include "channels/machine/input_watch.h"
 #include "channels/preparation/preparation.h"
+#include "channels/stores/change_book.h"
 #include "channels/stores/input_book.h"
 
 namespace stanok::channels {
@@ -92,6 +94,15 @@ struct Seat {
   RowAtWork row_at_work;
 };
 
+// What all channels, axes and sensors may change in each of the cycles that a recorder may be late.
+std::size_t changes_max(const MachineConfig& machine, double kept_s) {
+  if (kept_s <= 0.0) return 0;
+  const double cycles = std::ceil(kept_s / (machine.cycle_us * 1e-6));
+  const std::size_t often = machine.channels.size() + machine.axes.size() + machine.spindles.size();
+  const std::size_t at_once = often + 2 * machine.spindles.size() + Signals::analog_count;
+  return at_once + static_cast<std::size_t>(cycles) * often;
+}
+
 OwnerFailures owner_rules(const MachineConfig& config) {
   OwnerFailures rules{};
   for (std::size_t k = 0; k < config.channels.size(); ++k)
@@ -108,7 +119,9 @@ struct Machine::Parts {
         reports(options.reports_kept_max),
         events(events_max),
         inputs(inputs_max, events),
-        watch(machine.spindles.size(), options.outputs_to_inputs ? &signals_out : nullptr, inputs),
+        changes(changes_max(machine, options.changes_kept_s), inputs),
+        watch(machine.spindles.size(), options.outputs_to_inputs ? &signals_out : nullptr,
+              {inputs, changes}),
         replies(replies_max),
         stop_replies(replies_max) {
     if (machine.channels.empty() || machine.channels.size() > channels_max) {
@@ -156,6 +169,7 @@ struct Machine::Parts {
   EventBook events;
   std::uint64_t reports_lost = 0;  // told of
   InputBook inputs;
+  ChangeBook changes;
   InputWatch watch;
   Ring<OperatorReply> replies;
   Ring<OperatorReply> stop_replies;
@@ -176,6 +190,10 @@ const MachineConfig& Machine::config() const {
 
 Progress Machine::prepare(int index) {
   return parts_->seats[index]->preparation.step();
+}
+
+bool Machine::is_urgent(int index) const {
+  return parts_->seats[index]->preparation.is_urgent();
 }
 
 bool Machine::has_prepared(int index, const Arrivals& recorded) const {
@@ -224,6 +242,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
         parts.seats[k]->row_at_work.of(parts.tables, shown.tool.number, shown.tool.edge);
   }
   parts.coordinator->show_owners(output);
+  parts.changes.note(output);
 }
 
 bool Machine::is_idle() const RT_SAFE {
@@ -253,6 +272,9 @@ Ring<Event>& Machine::events() {
 }
 Ring<InputRecord>& Machine::input_records() {
   return parts_->inputs.records();
+}
+Ring<InputChange>& Machine::input_changes() {
+  return parts_->changes.changes();
 }
 void Machine::record(const InputRecord& input) RT_SAFE {
   parts_->inputs.note(input);

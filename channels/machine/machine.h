@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/ring.h"
+#include "channels/contract/input_change.h"
 #include "channels/contract/input_record.h"
 #include "channels/contract/machine_config.h"
 #include "channels/contract/operator_event.h"
@@ -42,6 +43,8 @@ struct MachineOptions {
   // Force control of each channel, in their order; nullptr, or shorter: none. They outlive the
   // machine.
   std::vector<motion::FeedModifier*> feed_modifiers{};
+  // For how long `input_changes` keeps what nobody has taken yet; 0: nobody takes it.
+  double changes_kept_s = 0.0;
   // Runs, alarms and diagnostics that are kept of each channel.
   std::size_t reports_kept_max = 500;
   // Asked from the preparations while they compile; true: nobody waits for them any more.
@@ -62,6 +65,9 @@ class Machine {
 
   // Channel `index` counts from 0. One thread per channel at most.
   [[nodiscard]] Progress prepare(int index);
+  // Whether the axes of channel `index` may come to rest in the cut where its preparation is late;
+  // from the thread that prepares it.
+  [[nodiscard]] bool is_urgent(int index) const;
   // Whether channel `index` has prepared what a recorded cycle saw of it. Not while a cycle runs.
   [[nodiscard]] bool has_prepared(int index, const Arrivals& recorded) const;
 
@@ -80,6 +86,7 @@ class Machine {
   // Out of the cycle; one consumer each.
   [[nodiscard]] Ring<Event>& events();
   [[nodiscard]] Ring<InputRecord>& input_records();
+  [[nodiscard]] Ring<InputChange>& input_changes();
   [[nodiscard]] Ring<OperatorReply>& replies();
   [[nodiscard]] Ring<OperatorReply>& stop_replies();  // of events with stop_id_mark
 

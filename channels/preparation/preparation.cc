@@ -56,6 +56,11 @@ Progress Preparation::work() {
   return progress;
 }
 
+bool Preparation::is_urgent() {
+  constexpr double enough_s = 2.0;
+  return task_ == Task::running && parts_.queue.seconds_ahead() < enough_s;
+}
+
 void Preparation::obey_notices() {
   Notice notice;
   while (link_.notices.pop(notice)) std::visit([this](const auto& told) { obey(told); }, notice);

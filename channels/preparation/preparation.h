@@ -30,6 +30,9 @@ class Preparation {
   // A fault of our own, or memory that is missing, ends what the channel does with an alarm; its
   // axes stop along the path that the cycle has.
   [[nodiscard]] Progress step();
+  // A run is prepared, and the cycle has little of its motion before it: the axes may come to rest
+  // in the cut where the next step is late.
+  [[nodiscard]] bool is_urgent();
 
  private:
   static constexpr int commands_per_step = 64;

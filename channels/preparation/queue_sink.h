@@ -37,6 +37,8 @@ class QueueSink final : public FeedSink {
 
   // Delivers what the rings have room for; true when nothing is left that waits for room.
   [[nodiscard]] bool flush();
+  // How long the motion takes that the cycle has before it.
+  [[nodiscard]] double seconds_ahead() { return look_ahead_.seconds_in(link_.path); }
   // Items wait for room, and with them all that comes behind.
   [[nodiscard]] bool holds_items() const { return !pending_items_.empty(); }
   // What was not delivered is dropped.

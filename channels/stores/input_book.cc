@@ -15,6 +15,12 @@ void InputBook::note(const InputRecord& record) RT_SAFE {
   lost_.fetch_add(1, std::memory_order_relaxed);
 }
 
+void InputBook::note_loss(std::int64_t cycle) RT_SAFE {
+  if (lost_in_gap_ == 0) begin_gap(cycle);
+  ++lost_in_gap_;
+  lost_.fetch_add(1, std::memory_order_relaxed);
+}
+
 void InputBook::begin_gap(std::int64_t cycle) RT_SAFE {
   static_cast<void>(records_.push({.cycle = cycle, .content = LostInputs{}}));
   tell(cycle);

@@ -24,6 +24,8 @@ class InputBook {
 
   // The cycle's thread.
   void note(const InputRecord& record) RT_SAFE;
+  // An input that goes to the recorder by another way found no place there.
+  void note_loss(std::int64_t cycle) RT_SAFE;
 
   // The consumer's side.
   [[nodiscard]] Ring<InputRecord>& records() { return records_; }

@@ -11,6 +11,8 @@ EventQueue::Taken EventQueue::take() RT_SAFE {
   const std::size_t stops = stops_.size();
   const std::size_t events = events_.size();
   note_stops(stops);
+  if (events > 0) taking_.store(events_[events - 1].id, std::memory_order_seq_cst);
+  const std::uint64_t withdrawn = withdrawn_.load(std::memory_order_seq_cst);
   std::size_t taken = 0;
   std::size_t overtaken = 0;
   std::size_t stops_handed = 0;
@@ -18,7 +20,7 @@ EventQueue::Taken EventQueue::take() RT_SAFE {
     const OperatorEvent& event = events_[k];
     while (stops_handed < stops && stops_taken_ + stops_handed < event.stops_before)
       taken_[taken++] = stops_[stops_handed++];
-    if (is_overtaken(event)) {
+    if (is_void(event, withdrawn)) {
       overtaken_[overtaken++] = event;
     } else {
       taken_[taken++] = event;
@@ -46,6 +48,12 @@ void EventQueue::note_stops(std::size_t count) RT_SAFE {
     // A machine has no more channels than there are places.
     if (place != last_.end()) *place = {channel, number};
   }
+}
+
+bool EventQueue::is_void(const OperatorEvent& event, std::uint64_t withdrawn) const RT_SAFE {
+  const bool is_withdrawn = withdrawn > 0 && event.id <= withdrawn;
+  if (is_withdrawn && !channels::is_stop(event.action())) return true;
+  return is_overtaken(event);
 }
 
 bool EventQueue::is_overtaken(const OperatorEvent& event) const RT_SAFE {

@@ -63,7 +63,11 @@ class RunningMachine {
   // Cycles so far; any thread.
   [[nodiscard]] virtual std::int64_t cycles() = 0;
 
-  // The output of the newest cycle that has been handed on; cycle 0 before the first one.
+  // What waits with an id up to this one takes no effect any more, but for what the cycle has begun
+  // to take: the newest id of that. One thread, that of `submit`.
+  [[nodiscard]] virtual std::uint64_t withdraw(std::uint64_t up_to_id) = 0;
+
+  // The output of the newest cycle; cycle 0 before the first one.
   [[nodiscard]] virtual channels::CycleOutput newest_output() = 0;
   [[nodiscard]] virtual std::vector<channels::RunReport> runs() = 0;
   [[nodiscard]] virtual std::vector<channels::AlarmReport> alarms() = 0;

@@ -169,8 +169,7 @@ void CommandDesk::tick(SteadyTime now) {
 }
 
 // An ended run is looked at once more at the next tick: its alarm is told right behind its end. It
-// counts as ended when the outputs that have been handed on have come so far: who hears of the end
-// finds the axes at it, however late the publisher is.
+// counts as ended when the newest output is behind it: who hears of the end finds the axes at it.
 void CommandDesk::answer_ended_runs() {
   const auto runs = machine_.runs();
   std::vector<AwaitedRun> still_awaited;
@@ -192,14 +191,17 @@ void CommandDesk::answer_ended_runs() {
 }
 
 void CommandDesk::watch_cycle(SteadyTime now) {
-  const std::int64_t cycle = machine_.newest_output().cycle;
+  const std::int64_t cycle = machine_.cycles();
   if (cycle != newest_cycle_ || newest_cycle_seen_ == SteadyTime{}) {
     newest_cycle_ = cycle;
     newest_cycle_seen_ = now;
   }
-  if (now - newest_cycle_seen_ < standing_cycle_max) return;
+  if (pending_.empty() || now - newest_cycle_seen_ < standing_cycle_max) return;
+  // What the cycle has begun to take before it stood it answers when it goes on.
+  const auto first_void = pending_.upper_bound(machine_.withdraw(last_id_));
   std::map<std::uint64_t, Pending> given_up;
-  given_up.swap(pending_);
+  for (auto pending = first_void; pending != pending_.end();)
+    given_up.insert(pending_.extract(pending++));
   for (const auto& [id, pending] : given_up) {
     pending.answer(Unexpected<Failure>(failure_of(
         FailureKind::timed_out, "E9006",

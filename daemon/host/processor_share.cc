@@ -14,15 +14,18 @@ std::chrono::nanoseconds processor_time_of_thread() {
 
 }  // namespace
 
-void ProcessorShare::rest_when_used_up() {
+bool ProcessorShare::is_used_up() {
   const auto now = Clock::now();
   const auto used = processor_time_of_thread();
   if (now >= window_end_) {
     window_end_ = now + window_;
     used_at_begin_ = used;
-  } else if (used - used_at_begin_ >= time_) {
-    std::this_thread::sleep_until(window_end_);
   }
+  return used - used_at_begin_ >= time_;
+}
+
+void ProcessorShare::rest_when_used_up() {
+  if (is_used_up()) std::this_thread::sleep_until(window_end_);
 }
 
 }  // namespace stanok::daemon

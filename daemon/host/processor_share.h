@@ -1,7 +1,8 @@
 // ProcessorShare: a thread that others may flood uses a part of a processor at most.
 //
 // Asked between two pieces of work: when the thread has used up its time in the current window, it
-// sleeps to the end of the window. For threads with a priority before which all others wait.
+// sleeps to the end of the window, or goes on without its priority. For threads with a priority
+// before which all others wait.
 #pragma once
 
 #include <chrono>
@@ -14,6 +15,8 @@ class ProcessorShare {
       : time_(time), window_(window) {}
 
   void rest_when_used_up();
+  // The time in the current window is used up; the next one begins by itself.
+  [[nodiscard]] bool is_used_up();
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -70,6 +70,11 @@ void prefer_this_thread(int priority) {
   static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
 }
 
+void be_ordinary_thread() {
+  const sched_param parameters{};
+  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_OTHER, &parameters));
+}
+
 FifoForNewThreads::FifoForNewThreads(int priority) {
   sched_param parameters{};
   pthread_getschedparam(pthread_self(), &policy_before_, &parameters);

@@ -21,6 +21,9 @@ struct RealTimeRights {
 // FIFO scheduling for the calling thread, where the system grants it.
 void prefer_this_thread(int priority);
 
+// The scheduling that threads have without any of this.
+void be_ordinary_thread();
+
 // While it lives, threads that the calling thread starts inherit FIFO scheduling (sched(7)), where
 // the system grants it; the calling thread is as before afterwards. For threads that must answer
 // within milliseconds under load, below the cycle.

@@ -3,10 +3,16 @@
 #include <chrono>
 #include <exception>
 
+#include "daemon/host/processor_share.h"
+#include "daemon/host/real_time_rights.h"
+
 namespace stanok::daemon {
 namespace {
 
 constexpr auto empty_pause = std::chrono::milliseconds(1);
+constexpr int publisher_priority = 40;  // below the buses, and who brings replies
+constexpr auto publisher_window = std::chrono::milliseconds(20);
+constexpr auto publisher_share = std::chrono::milliseconds(15);
 
 // The oldest `count`. What arrives meanwhile stays for the next time, so that the work of one call
 // is bounded.
@@ -32,9 +38,9 @@ std::size_t drain(const CycleRings& rings, const std::vector<CycleListener*>& li
     }
   }
   return drain_ring(rings.inputs, rings.inputs.size(), listeners, &CycleListener::on_input) +
+         drain_ring(rings.changes, rings.changes.size(), listeners, &CycleListener::on_change) +
          drain_ring(rings.outputs, outputs, listeners, &CycleListener::on_output) +
-         drain_ring(rings.events, rings.events.size(), listeners, &CycleListener::on_event) +
-         drain_ring(rings.replies, rings.replies.size(), listeners, &CycleListener::on_reply);
+         drain_ring(rings.events, rings.events.size(), listeners, &CycleListener::on_event);
 }
 
 PublisherThread::PublisherThread(const CycleRings& rings, std::vector<CycleListener*> listeners,
@@ -50,8 +56,11 @@ PublisherThread::PublisherThread(const CycleRings& rings, std::vector<CycleListe
 }
 
 void PublisherThread::run(const std::stop_token& stop) const {
+  prefer_this_thread(publisher_priority);
+  ProcessorShare share(publisher_share, publisher_window);
   while (!stop.stop_requested()) {
     if (drain(rings_, listeners_) == 0) std::this_thread::sleep_for(empty_pause);
+    share.rest_when_used_up();
   }
   drain(rings_, listeners_);
 }

@@ -43,6 +43,7 @@ class Recorder final : public CycleListener {
   }
   void on_event(const channels::Event& event) override;
   void on_input(const channels::InputRecord& input) override { stream_->input(input); }
+  void on_change(const channels::InputChange& change) override { stream_->input(change); }
 
   // Whom to ask for the situations that outputs show. Before the first output.
   void ask_for_situations(recording::MessageStream::Situations situations) {

@@ -31,9 +31,9 @@ class OperatorServer final : public CycleListener {
   void fail();
   [[nodiscard]] bool has_failed() const;
 
-  // From the publisher thread; handed over to the server's.
+  // From other threads; handed over to the server's.
   void on_event(const channels::Event& event) override;
-  void on_reply(const channels::OperatorReply& reply) override;
+  void on_reply(const channels::OperatorReply& reply);
 
  private:
   struct Parts;

@@ -57,7 +57,9 @@ void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
 
 void AssembledMachine::cycle() RT_SAFE {
   const EventQueue::Taken taken = events_.take();
-  cycles_.store(assembly_.cycle(taken.events).cycle, std::memory_order_relaxed);
+  const channels::CycleOutput& output = assembly_.cycle(taken.events);
+  newest_.put(output);
+  cycles_.store(output.cycle, std::memory_order_release);
   refuse_overtaken(taken.overtaken);
 }
 
@@ -85,13 +87,6 @@ void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
 
 void AssembledMachine::on_output(const channels::CycleOutput& output) {
   workpieces_.observe(output);
-  const std::lock_guard lock(mutex_);
-  newest_ = output;
-}
-
-channels::CycleOutput AssembledMachine::newest_output() {
-  const std::lock_guard lock(mutex_);
-  return newest_;
 }
 
 LoopStatistics AssembledMachine::loop_statistics() {

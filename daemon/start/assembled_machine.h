@@ -1,14 +1,15 @@
 // AssembledMachine: the runtime's assembly between the real-time loop and the operator's side.
 //
-// The loop calls `cycle`; the publisher thread brings the outputs; the operator server asks through
-// RunningMachine. What passes from one to the other are the event queue, the newest output under a
-// lock outside of real time, and the statistics of the loop.
+// The loop calls `cycle`; the operator server asks through RunningMachine; the publisher thread
+// brings the outputs from which workpieces are cut. What passes from one to the other are the event
+// queue, the newest output and the statistics of the loop.
 #pragma once
 
 #include <atomic>
 #include <mutex>
 
 #include "daemon/cycle/event_queue.h"
+#include "daemon/cycle/newest_output.h"
 #include "daemon/cycle/real_time_loop.h"
 #include "daemon/cycle/running_machine.h"
 #include "daemon/publish/publisher_thread.h"
@@ -46,10 +47,13 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] bool submit_stop(const channels::OperatorEvent& stop) override {
     return events_.put_stop(stop);
   }
+  [[nodiscard]] std::uint64_t withdraw(std::uint64_t up_to_id) override {
+    return events_.withdraw(up_to_id);
+  }
   [[nodiscard]] std::optional<channels::OperatorReply> stop_reply() override;
   [[nodiscard]] std::uint64_t stops_taken() override { return events_.stops_put(); }
   [[nodiscard]] std::int64_t cycles() override { return cycles_; }
-  [[nodiscard]] channels::CycleOutput newest_output() override;
+  [[nodiscard]] channels::CycleOutput newest_output() override { return newest_.get(); }
   [[nodiscard]] std::vector<channels::RunReport> runs() override {
     return assembly_.machine().runs();
   }
@@ -115,8 +119,8 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   EventQueue events_;
   std::atomic<std::int64_t> cycles_{0};
   RealTimeLoop* loop_ = nullptr;
-  std::mutex mutex_;
-  channels::CycleOutput newest_;
+  NewestOutput newest_;
+  std::mutex mutex_;  // of the rights
   RealTimeRights rights_;
   runtime::Foresight foresight_;
   runtime::LiveWorkpieces workpieces_;

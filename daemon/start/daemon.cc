@@ -12,6 +12,7 @@
 #include "daemon/cycle/preparation_threads.h"
 #include "daemon/host/signals.h"
 #include "daemon/host/state_directory.h"
+#include "daemon/publish/reply_thread.h"
 #include "daemon/publish/report_listener.h"
 #include "daemon/server/operator_server.h"
 #include "daemon/start/assembled_machine.h"
@@ -31,6 +32,8 @@ constexpr int real_time_priority =
     80;  // above what the system runs by default, below its watchdogs
 constexpr int drive_bus_priority = 60;
 constexpr int exit_machine_fault = 7;
+// Before an input is missing in the recording; setpoints are missing after a second.
+constexpr double recorder_may_be_late_s = 30.0;
 
 std::string build_description() {
 #ifdef __OPTIMIZE__
@@ -61,6 +64,7 @@ runtime::AssemblyOptions assembly_options(const DaemonOptions& options,
   runtime::AssemblyOptions chosen;
   chosen.file = file;
   chosen.drives = options.drives.value_or(runtime::DriveChoice::embedded);
+  chosen.machine.changes_kept_s = recorder_may_be_late_s;
   chosen.program_roots = runtime::standard_cycle_folders();
   chosen.program_roots.insert(chosen.program_roots.begin(), program_root);
   return chosen;
@@ -97,7 +101,7 @@ class RealTimeThread {
 
 CycleRings rings_of(runtime::Assembly& assembly) {
   channels::Machine& machine = assembly.machine();
-  return {assembly.outputs(), machine.events(), machine.input_records(), machine.replies(),
+  return {assembly.outputs(), machine.events(), machine.input_records(), machine.input_changes(),
           [&assembly] { return assembly.program_reads(); }};
 }
 
@@ -178,9 +182,14 @@ int run_daemon(const DaemonOptions& options) {
   const PublisherThread publisher(
       rings_of(assembly), {&recorder, &machine, &server, &scope_feed, &reports},
       [&](std::string_view reason) { fail("the publisher", "", reason); });
+  const ReplyThread replies(
+      assembly.machine().replies(), [&] { return machine.cycles(); },
+      [&](const channels::OperatorReply& reply) { server.on_reply(reply); },
+      [&](std::string_view reason) { fail("the hand-over of replies", "", reason); });
   const PreparationThreads preparation(
       static_cast<int>(file.machine.channels.size()),
       [&](int index) { return assembly.machine().prepare(index); },
+      [&](int index) { return assembly.machine().is_urgent(index); },
       [&](int index, std::string_view reason) {
         fail("the preparation of channel ", file.machine.channels[index].name, reason);
       });

@@ -92,9 +92,21 @@ bool LookAhead::deliver(PathQueue& queue) {
     next.chunk.sequence = delivered_++;
     pushed = queue.chunks.push(next.chunk) && pushed;
     STANOK_ASSERT(pushed);
+    in_queue_.push_back({queue.chunks.pushed(), next.chunk.time_s});
+    seconds_in_queue_ += next.chunk.time_s;
     ready_.pop_front();
   }
   return true;
+}
+
+double LookAhead::seconds_in(const PathQueue& queue) {
+  const std::size_t done = queue.chunks.popped();
+  while (!in_queue_.empty() && in_queue_.front().number <= done) {
+    seconds_in_queue_ -= in_queue_.front().time_s;
+    in_queue_.pop_front();
+  }
+  if (in_queue_.empty()) seconds_in_queue_ = 0.0;  // rounding
+  return seconds_in_queue_;
 }
 
 bool LookAhead::is_empty() const {
@@ -233,11 +245,14 @@ void LookAhead::commit_chunks(std::size_t segments, Behind behind) {
       split_phases(phases, s_last, committed.phases);
     }
     shift(committed.phases, s_first);
+    double time = 0.0;
+    for (const Phase& phase : committed.phases) time += phase.duration;
     committed.chunk = {
         .segments = static_cast<std::uint32_t>(committed.segments.size()),
         .phases = static_cast<std::uint32_t>(committed.phases.size()),
         .last = behind == Behind::end && last == segments,
         .length = s_last - s_first,
+        .time_s = time,
         .lookahead_blocks = static_cast<std::uint32_t>(known - planned_.blocks[first])};
     if (committed.chunk.last) {
       committed.overlap = chain_end_.overlap;

@@ -40,6 +40,9 @@ class LookAhead {
   // never farther away than the next end of a chain.
   [[nodiscard]] bool deliver(PathQueue& queue);
 
+  // How long what was delivered and the consumer has not done with takes, by whole chunks.
+  [[nodiscard]] double seconds_in(const PathQueue& queue);
+
   // Nothing is pending: all segments taken were committed and delivered.
   [[nodiscard]] bool is_empty() const;
 
@@ -66,6 +69,11 @@ class LookAhead {
   struct ChainEnd {
     std::shared_ptr<const OverlapCorner> overlap;
     double stand_mm = 0.0;
+  };
+  // Chunk `number` of the queue, counted from 1 since its construction.
+  struct Delivered {
+    std::uint64_t number = 0;
+    double time_s = 0.0;
   };
   // A state with a = 0 after so many segments, s of path.
   struct RestKey {
@@ -121,6 +129,8 @@ class LookAhead {
 
   std::deque<Committed> ready_;
   std::uint64_t delivered_ = 0;
+  std::deque<Delivered> in_queue_;
+  double seconds_in_queue_ = 0.0;
 };
 
 }  // namespace stanok::motion

@@ -286,6 +286,7 @@ struct Chunk {
   std::uint32_t phases = 0;
   bool last = false;  // the chain ends at rest at the end of this chunk
   double length = 0.0;
+  double time_s = 0.0;         // that it takes without an override; 0: a spindle leads it
   double overlap_s = 0.0;      // the next chain may begin so long before this one has ended; s
   double stand_mm = 0.0;       // equivalent dwell path at the end of the chain: the axes rest
   std::uint64_t sequence = 0;  // counts all chunks of the channel

@@ -7,7 +7,10 @@
 namespace stanok::motion {
 
 struct PathQueue {
-  explicit PathQueue(std::size_t segment_capacity = 16384)
+  // Two seconds of motion at 100 mm/s in blocks of 5 um, 48 MB.
+  static constexpr std::size_t usual_capacity = 40960;
+
+  explicit PathQueue(std::size_t segment_capacity = usual_capacity)
       : segments(segment_capacity), phases(segment_capacity * 4), chunks(256) {}
   Ring<Segment> segments;
   Ring<Phase> phases;

@@ -62,7 +62,6 @@ void MessageStream::cycle(const channels::CycleOutput& output) {
           to_setpoint(channel, sender_.next_stamp(output.cycle, channel.id, Topic::setpoint)),
           channel.id, Topic::setpoint);
     }
-    inputs_when_new(output.cycle, channel);
     state_when_due(output.cycle, channel);
     drives_when_due(output.cycle, channel);
     process_when_due(output.cycle, channel);
@@ -84,6 +83,26 @@ void MessageStream::input(const channels::InputRecord& record) {
   send_meta_when_due(record.cycle);
   sender_.send(to_input(record, sender_.next_stamp(record.cycle, record.channel, Topic::input)),
                record.channel, Topic::input);
+}
+
+void MessageStream::input(const channels::InputChange& change) {
+  send_meta_when_due(change.cycle);
+  const auto stamp = [&](Topic topic) {
+    return sender_.next_stamp(change.cycle, change.channel, topic);
+  };
+  if (const auto* seen = std::get_if<channels::Arrivals>(&change.content)) {
+    sender_.send(to_arrival(change.channel, *seen, stamp(Topic::arrival)), change.channel,
+                 Topic::arrival);
+  } else if (const auto* told = std::get_if<channels::FeedbackInput>(&change.content)) {
+    sender_.send(to_feedback(change.channel, told->axis, told->value, stamp(Topic::feedback)),
+                 change.channel, Topic::feedback);
+  } else if (const auto* signal = std::get_if<channels::AnalogInput>(&change.content)) {
+    input(channels::InputRecord{
+        .cycle = change.cycle, .channel = change.channel, .content = *signal});
+  } else if (const auto* sensor = std::get_if<channels::SpindleInput>(&change.content)) {
+    input(channels::InputRecord{
+        .cycle = change.cycle, .channel = change.channel, .content = *sensor});
+  }
 }
 
 void MessageStream::text(const TextRecord& record) {
@@ -141,25 +160,6 @@ void MessageStream::state_when_due(std::int64_t cycle, const channels::ChannelOu
   if (cycle % periods_.state != 0) return;
   sender_.send(to_state(output, sender_.next_stamp(cycle, output.id, Topic::state)), output.id,
                Topic::state);
-}
-
-void MessageStream::inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output) {
-  ShownInputs& shown = inputs_[output.id];
-  if (output.arrivals != shown.arrivals) {
-    shown.arrivals = output.arrivals;
-    sender_.send(to_arrival(output.id, output.arrivals,
-                            sender_.next_stamp(cycle, output.id, Topic::arrival)),
-                 output.id, Topic::arrival);
-  }
-  if (!output.has_feedback) return;
-  for (int k = 0; k < output.axis_count; ++k) {
-    if (shown.has_feedback && output.feedback[k] == shown.feedback[k]) continue;
-    shown.feedback[k] = output.feedback[k];
-    sender_.send(to_feedback(output.id, k, output.feedback[k],
-                             sender_.next_stamp(cycle, output.id, Topic::feedback)),
-                 output.id, Topic::feedback);
-  }
-  shown.has_feedback = true;
 }
 
 void MessageStream::tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output) {

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "channels/contract/input_change.h"
 #include "channels/contract/output.h"
 #include "channels/contract/reports.h"
 #include "channels/machine/machine.h"
@@ -52,6 +53,7 @@ class MessageStream {
   void cycle(const channels::CycleOutput& output);
   void event(const channels::Event& event);
   void input(const channels::InputRecord& record);
+  void input(const channels::InputChange& change);
   void text(const TextRecord& record);
   // The text itself is sent when it is new.
   void program_read(const ProgramRead& read, std::int64_t cycle);
@@ -72,7 +74,6 @@ class MessageStream {
   void state_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void drives_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void process_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
-  void inputs_when_new(std::int64_t cycle, const channels::ChannelOutput& output);
   void force_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void tool_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
   void tool_row_when_due(std::int64_t cycle, const channels::ChannelOutput& output);
@@ -111,12 +112,6 @@ class MessageStream {
     std::int64_t next_cycle = 0;  // when that is due
   };
   PerChannel<ShownPath> paths_{};
-  struct ShownInputs {
-    channels::Arrivals arrivals;
-    bool has_feedback = false;
-    AxisArray<channels::AxisFeedback> feedback{};
-  };
-  PerChannel<ShownInputs> inputs_{};
   std::set<std::uint64_t> sent_texts_;  // hashes
   struct Periods {                      // in cycles
     std::int64_t meta;

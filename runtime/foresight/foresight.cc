@@ -264,10 +264,12 @@ Expected<Foresight::Foreseen, GivenUp> Foresight::foresee(const Order& order,
   PathGathering paths(file_.machine, [&](int channel) { return path_of(channel, order); });
   const auto give_up_at = processor_time_of_thread() + computing_time_;
   GivenUp given_up = GivenUp::no;
+  constexpr std::int64_t cycles_between_looks = 256;  // at the clock: a look costs half a cycle
+  std::int64_t cycle = 0;
   const auto interrupted = [&] {
     if (stop.stop_requested() || is_outdated_)
       given_up = GivenUp::replaced;
-    else if (processor_time_of_thread() > give_up_at)
+    else if (cycle++ % cycles_between_looks == 0 && processor_time_of_thread() > give_up_at)
       given_up = GivenUp::computing_time;
     return given_up != GivenUp::no;
   };

@@ -133,23 +133,24 @@ TEST(AutomaticFeedOfAChannel, IsRefusedWhereTheMachineFileHasNone) {
 
 // Each value that changes is an input of the cycle, on record.
 TEST(AutomaticFeedOfAChannel, SensorsAreRecordedWhenTheyChange) {
-  MachineBench bench(lathe_with_automatic_feeds());
+  MachineBench bench(lathe_with_automatic_feeds(), {.on_at_start = true, .changes_kept_s = 1e-3});
   const auto records = [&](double power) {
     const std::array sensors{SpindleSensors{.power_w = power}};
     CycleOutput output;
     bench.machine().cycle({.events = {}, .feedback = {}, .sensors = sensors}, output);
-    std::vector<InputRecord> found;
-    InputRecord record;
-    while (bench.machine().input_records().pop(record)) found.push_back(record);
+    std::vector<SpindleInput> found;
+    for (InputChange change; bench.machine().input_changes().pop(change);) {
+      if (const auto* input = std::get_if<SpindleInput>(&change.content)) found.push_back(*input);
+    }
     return found;
   };
   const auto first = records(700.0);
   ASSERT_EQ(first.size(), 1U);
-  EXPECT_EQ(std::get<SpindleInput>(first[0].content).value, 700.0);
+  EXPECT_EQ(first[0].value, 700.0);
   EXPECT_THAT(records(700.0), IsEmpty());
   const auto lost = records(std::nan(""));
   ASSERT_EQ(lost.size(), 1U);
-  EXPECT_TRUE(std::isnan(std::get<SpindleInput>(lost[0].content).value));
+  EXPECT_TRUE(std::isnan(lost[0].value));
 }
 
 }  // namespace

@@ -95,8 +95,10 @@ class DaemonBench {
     }
     machine_.cycle();
     channels::Machine& machine = assembly_.machine();
-    drain({assembly_.outputs(), machine.events(), machine.input_records(), machine.replies()},
-          {&machine_, &replies_});
+    drain({assembly_.outputs(), machine.events(), machine.input_records(), machine.input_changes()},
+          {&machine_});
+    channels::OperatorReply reply;
+    while (machine.replies().pop(reply)) dispatch_.on_reply(reply);
     newest_ = machine_.newest_output();
     dispatch_.tick(SteadyTime{} + std::chrono::milliseconds(newest_.cycle));
     return newest_;
@@ -120,19 +122,12 @@ class DaemonBench {
  private:
   static constexpr int cycles_until_drives_answer = 50;
 
-  struct Replies final : CycleListener {
-    explicit Replies(Dispatch& told) : dispatch(told) {}
-    void on_reply(const channels::OperatorReply& reply) override { dispatch.on_reply(reply); }
-    Dispatch& dispatch;
-  };
-
   stanok::testing::TemporaryDirectory here_;
   runtime::Assembly assembly_;
   Recorder recorder_;
   AssembledMachine machine_;
   bool shutdown_asked_ = false;
   Dispatch dispatch_;
-  Replies replies_{dispatch_};
   std::map<int, SessionState> sessions_;
   channels::CycleOutput newest_;
 };

@@ -86,6 +86,11 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] bool submit_stop(const channels::OperatorEvent& stop) override {
     return submit(stop);
   }
+  [[nodiscard]] std::uint64_t withdraw(std::uint64_t up_to_id) override {
+    const std::lock_guard lock(mutex_);
+    withdrawn = up_to_id;
+    return taking;
+  }
   [[nodiscard]] std::optional<channels::OperatorReply> stop_reply() override {
     return std::nullopt;
   }
@@ -148,6 +153,8 @@ class FakeMachine final : public RunningMachine {
 
   // Changed by tests, from another thread only within `change`.
   bool is_full = false;
+  std::uint64_t withdrawn = 0;  // up to this id
+  std::uint64_t taking = 0;     // the cycle has begun to take events up to this id
   bool workpieces_allowed = false;
   std::string choice = "embedded";
   std::vector<std::string> resets;

@@ -3,11 +3,16 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <latch>
+#include <memory>
 #include <stdexcept>
+#include <thread>
 
+#include "daemon/cycle/newest_output.h"
 #include "daemon/cycle/preparation_threads.h"
 #include "daemon/publish/publisher_thread.h"
+#include "daemon/publish/reply_thread.h"
 
 namespace stanok::daemon {
 namespace {
@@ -24,7 +29,7 @@ TEST(PreparationThreads, WorkOnEveryChannelUntilTheyAreStopped) {
           if (++calls.at(static_cast<std::size_t>(index)) == 5) all_worked.count_down();
           return index == 0 ? Progress::blocked : Progress::worked;
         },
-        [](int, std::string_view) { FAIL(); });
+        [](int index) { return index == 1; }, [](int, std::string_view) { FAIL(); });
     all_worked.wait();
   }
   const int after = calls[1];
@@ -43,6 +48,7 @@ TEST(PreparationThreads, TellAFaultAndKeepTheOtherChannelsAtWork) {
           if (!other_worked.try_wait()) other_worked.count_down();
           return Progress::worked;
         },
+        [](int) { return false; },
         [&](int index, std::string_view reason) {
           told = std::to_string(index) + " " + std::string(reason);
           faulted.count_down();
@@ -58,18 +64,16 @@ class Notebook final : public CycleListener {
   void on_output(const channels::CycleOutput& output) override { cycles.push_back(output.cycle); }
   void on_event(const channels::Event& event) override { events.push_back(event.cycle); }
   void on_input(const channels::InputRecord& input) override { inputs.push_back(input.cycle); }
-  void on_reply(const channels::OperatorReply& reply) override { replies.push_back(reply.id); }
 
   std::vector<std::int64_t> cycles, events, inputs;
-  std::vector<std::uint64_t> replies;
 };
 
 struct Rings {
   Ring<channels::CycleOutput> outputs{64};
   Ring<channels::Event> events{8};
   Ring<channels::InputRecord> inputs{8};
-  Ring<channels::OperatorReply> replies{8};
-  [[nodiscard]] CycleRings all() { return {outputs, events, inputs, replies}; }
+  Ring<channels::InputChange> changes{8};
+  [[nodiscard]] CycleRings all() { return {outputs, events, inputs, changes}; }
 };
 
 TEST(Drain, HandsEverythingToEveryListenerInOrder) {
@@ -84,14 +88,10 @@ TEST(Drain, HandsEverythingToEveryListenerInOrder) {
   channels::Event event;
   event.cycle = 3;
   ASSERT_TRUE(rings.events.push(event));
-  channels::OperatorReply reply;
-  reply.id = 9;
-  ASSERT_TRUE(rings.replies.push(reply));
-  EXPECT_EQ(drain(rings.all(), {&first, &second}), 7U);
+  EXPECT_EQ(drain(rings.all(), {&first, &second}), 6U);
   for (const Notebook* book : {&first, &second}) {
     EXPECT_EQ(book->cycles, (std::vector<std::int64_t>{1, 2, 3, 4, 5}));
     EXPECT_EQ(book->events, std::vector<std::int64_t>{3});
-    EXPECT_EQ(book->replies, std::vector<std::uint64_t>{9});
   }
   EXPECT_EQ(drain(rings.all(), {&first}), 0U);
 }
@@ -103,6 +103,9 @@ class Order final : public CycleListener {
   }
   void on_input(const channels::InputRecord& input) override {
     seen.push_back("input " + std::to_string(input.cycle));
+  }
+  void on_change(const channels::InputChange& change) override {
+    seen.push_back("change " + std::to_string(change.cycle));
   }
   void on_program_read(const recording::ProgramRead& read) override { seen.push_back(read.name); }
 
@@ -119,6 +122,7 @@ TEST(Drain, HandsInputsAndTextsOnBeforeTheOutputsTheyLedTo) {
     input.cycle = number;
     output->cycle = number;
     ASSERT_TRUE(rings.inputs.push(input));
+    ASSERT_TRUE(rings.changes.push({.cycle = number, .content = channels::Arrivals{}}));
     ASSERT_TRUE(rings.outputs.push(*output));
   };
   std::int64_t next = 1;
@@ -131,8 +135,9 @@ TEST(Drain, HandsInputsAndTextsOnBeforeTheOutputsTheyLedTo) {
   cycle(1);
   drain(all, {&order});
   drain(all, {&order});
-  EXPECT_EQ(order.seen, (std::vector<std::string>{"text 1", "input 1", "input 2", "output 1",
-                                                  "text 2", "input 3", "output 2"}));
+  EXPECT_EQ(order.seen,
+            (std::vector<std::string>{"text 1", "input 1", "input 2", "change 1", "change 2",
+                                      "output 1", "text 2", "input 3", "change 3", "output 2"}));
 }
 
 TEST(PublisherThread, HandsOverWhatIsLeftBeforeItEnds) {
@@ -166,6 +171,63 @@ TEST(PublisherThread, TellsAFaultOfAListener) {
   });
   done.wait();
   EXPECT_EQ(told, "no more paper");
+}
+
+// Who hears of an answer finds the cycle that gave it over; the recorder has no part in it.
+TEST(ReplyThread, TellsAReplyBehindTheCycleThatGaveIt) {
+  Ring<channels::OperatorReply> replies(8);
+  std::atomic<std::int64_t> over{0};
+  std::atomic<std::int64_t> heard_behind{0};
+  std::latch heard(1);
+  const ReplyThread thread(
+      replies, [&] { return over.load(); },
+      [&](const channels::OperatorReply& reply) {
+        EXPECT_EQ(reply.id, 9U);
+        heard_behind = over.load();
+        heard.count_down();
+      },
+      [](std::string_view) { FAIL(); });
+  over = 41;
+  channels::OperatorReply reply;
+  reply.id = 9;
+  ASSERT_TRUE(replies.push(reply));  // in cycle 42, which goes on for a while
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_FALSE(heard.try_wait());
+  over = 42;
+  heard.wait();
+  EXPECT_EQ(heard_behind, 42);
+}
+
+TEST(NewestOutput, IsWholeAndNeverOlderThanTheOneBefore) {
+  const auto first = std::make_unique<channels::CycleOutput>();
+  first->cycle = 0;
+  NewestOutput newest(*first);
+  EXPECT_EQ(newest.get().cycle, 0);
+  std::atomic<bool> ends{false};
+  std::jthread cycle([&] {
+    const auto output = std::make_unique<channels::CycleOutput>();
+    output->channel_count = 3;
+    for (std::int64_t n = 1; n <= 20'000; ++n) {
+      output->cycle = n;
+      for (int k = 0; k < 3; ++k) output->channels[k].path_speed = static_cast<double>(n);
+      newest.put(*output);
+    }
+    ends = true;
+  });
+  const auto look = [&] {
+    std::int64_t before = 0;
+    while (!ends) {
+      const channels::CycleOutput seen = newest.get();
+      ASSERT_GE(seen.cycle, before);
+      before = seen.cycle;
+      for (int k = 0; k < seen.channel_count; ++k)
+        ASSERT_EQ(seen.channels[k].path_speed, static_cast<double>(seen.cycle));
+    }
+  };
+  std::jthread other(look);
+  look();
+  cycle.join();
+  EXPECT_EQ(newest.get().cycle, 20'000);
 }
 
 }  // namespace

@@ -43,13 +43,13 @@ struct Cycles final : public CycleObserver {
         bits.push_back(std::bit_cast<std::uint64_t>(value));
     }
   }
-  void observe(const channels::InputRecord& input) override {
-    if (std::holds_alternative<channels::SpindleInput>(input.content)) inputs.push_back(input);
+  void observe(const channels::InputChange& change) override {
+    if (std::holds_alternative<channels::SpindleInput>(change.content)) inputs.push_back(change);
   }
   void observe(const channels::Event& event) override { codes.emplace_back(event.code.view()); }
 
   std::vector<channels::ChannelOutput> outputs;
-  std::vector<channels::InputRecord> inputs;
+  std::vector<channels::InputChange> inputs;
   std::vector<std::uint64_t> bits;
   std::vector<std::string> codes;
 };
@@ -161,7 +161,7 @@ TEST_F(ForceControlRun, IsReplayedBitByBitFromTheRecordedSensors) {
     row.t = (static_cast<double>(cycle) - 0.5) * 1e-3;
     options.sensors.push_back(row);
   };
-  for (const channels::InputRecord& input : original.inputs) {
+  for (const channels::InputChange& input : original.inputs) {
     if (input.cycle != cycle) end_row();
     cycle = input.cycle;
     const auto& sensor = std::get<channels::SpindleInput>(input.content);

@@ -66,25 +66,33 @@ class RecordedByChance {
   }
 
   void run(int cycles) {
-    const int channels = static_cast<int>(assembly_.file().machine.channels.size());
     for (int n = 0; n < cycles; ++n) {
-      for (int k = 0; k < channels; ++k) {
-        for (int steps = chance(4); steps > 0; --steps)
-          static_cast<void>(assembly_.machine().prepare(k));
-      }
+      prepare_by_chance();
       const channels::CycleOutput& output = assembly_.cycle(events_);
       events_.clear();
       for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
-      channels::InputRecord input;
-      while (assembly_.machine().input_records().pop(input)) log_.observe(input);
+      hand_inputs_on();
       log_.observe(output);
       channels::Event event;
-      while (assembly_.machine().events().pop(event)) log_.observe(event);
+      while (assembly_.machine().events().pop(event)) {
+        log_.observe(event);
+        if (on_event_) on_event_(event);
+      }
+      if (on_output_) on_output_(output);
       channels::OperatorReply reply;
       while (assembly_.machine().replies().pop(reply)) {
       }
       moved_ = moved_ || output.channels[0].path_speed > 1.0;
     }
+  }
+
+  // From now on each preparation comes to one step in so many cycles; 0: as chance lets it.
+  void prepare_every(int cycles) { cycles_per_step_ = cycles; }
+  // Looks at every output and event from now on.
+  void watch(std::function<void(const channels::CycleOutput&)> outputs,
+             std::function<void(const channels::Event&)> events) {
+    on_output_ = std::move(outputs);
+    on_event_ = std::move(events);
   }
 
   [[nodiscard]] int chance(int count) {
@@ -94,19 +102,49 @@ class RecordedByChance {
   [[nodiscard]] std::filesystem::path path() const { return files_.folder() / "run.lcm"; }
   void close() { EXPECT_EQ(log_.close(), ""); }
   [[nodiscard]] std::string closing_word() { return log_.close(); }
-  // Cycles whose outputs do not get to the log.
+  // Cycles whose outputs do not get to the log; what is asked for takes effect in the first one.
   void lose_outputs(int cycles) {
-    for (int n = 0; n < cycles; ++n) static_cast<void>(assembly_.cycle({}));
+    for (int n = 0; n < cycles; ++n) {
+      prepare_by_chance();
+      const channels::CycleOutput& output = assembly_.cycle(events_);
+      events_.clear();
+      for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
+      hand_inputs_on();
+    }
   }
 
  private:
+  void prepare_by_chance() {
+    const int channels = static_cast<int>(assembly_.file().machine.channels.size());
+    if (cycles_per_step_ > 0) {
+      if (++cycles_without_step_ < cycles_per_step_) return;
+      cycles_without_step_ = 0;
+      for (int k = 0; k < channels; ++k) static_cast<void>(assembly_.machine().prepare(k));
+      return;
+    }
+    for (int k = 0; k < channels; ++k) {
+      for (int steps = chance(4); steps > 0; --steps)
+        static_cast<void>(assembly_.machine().prepare(k));
+    }
+  }
+  void hand_inputs_on() {
+    channels::InputRecord input;
+    while (assembly_.machine().input_records().pop(input)) log_.observe(input);
+    channels::InputChange change;
+    while (assembly_.machine().input_changes().pop(change)) log_.observe(change);
+  }
+
   std::mt19937_64 random_;
   config::TemporaryFiles files_;
-  RunSetup setup_{.options = {.on_at_start = true}};
+  RunSetup setup_{.options = {.on_at_start = true, .changes_kept_s = 1e-3}};
   Assembly assembly_;
   LogObserver log_;
   std::vector<channels::OperatorEvent> events_;
   std::uint64_t last_id_ = 0;
+  int cycles_per_step_ = 0;
+  int cycles_without_step_ = 0;
+  std::function<void(const channels::CycleOutput&)> on_output_;
+  std::function<void(const channels::Event&)> on_event_;
   bool moved_ = false;
 };
 

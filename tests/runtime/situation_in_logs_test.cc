@@ -79,8 +79,8 @@ std::vector<Shown> shown_on(const std::string& machine, const std::string& progr
   std::ofstream(folder.path() / "part.nc") << program;
   const std::filesystem::path log = folder.path() / "run.lcm";
   SimulationOptions options;
-  options.file = config::read_machine_file(
-      std::filesystem::path(stanok::testing::source_folder()) / "config" / "machines" / machine);
+  options.file = config::read_machine_file(std::filesystem::path(stanok::testing::source_folder()) /
+                                           "config" / "machines" / machine);
   options.program_roots = {folder.path()};
   options.programs = {{1, "part.nc"}};
   {
@@ -102,20 +102,20 @@ TEST(SituationInLogs, LeadsFromEachPointToItsMachinePosition) {
                               "G10 L1 P1 Z40 R3\n"
                               "T1 M6\n"
                               "G55 G43 H1\n"
-                              "G1 X10 Y3 Z4 F6000\n"       // 6
-                              "G52 X1 Y-2 Z3\n"            //
-                              "G1 X11 Y4 Z5\n"             // 8
-                              "G68 X5 Y5 R20\n"            //
-                              "G1 X12 Y6\n"                // 10
-                              "G51 X2 Y1 Z0 P2\n"          //
-                              "G1 X13 Y7 Z1\n"             // 12
-                              "G50\nG69\n"                 //
-                              "G92 X0 Y0\n"                //
-                              "G1 X3 Y1\n"                 // 16
-                              "G43.1 Z12.5\n"              //
-                              "G1 X4 Y2 Z6\n"              // 18
-                              "G20\n"                      //
-                              "G1 X1\n"                    // 20: 25.4 mm
+                              "G1 X10 Y3 Z4 F6000\n"  // 6
+                              "G52 X1 Y-2 Z3\n"       //
+                              "G1 X11 Y4 Z5\n"        // 8
+                              "G68 X5 Y5 R20\n"       //
+                              "G1 X12 Y6\n"           // 10
+                              "G51 X2 Y1 Z0 P2\n"     //
+                              "G1 X13 Y7 Z1\n"        // 12
+                              "G50\nG69\n"            //
+                              "G92 X0 Y0\n"           //
+                              "G1 X3 Y1\n"            // 16
+                              "G43.1 Z12.5\n"         //
+                              "G1 X4 Y2 Z6\n"         // 18
+                              "G20\n"                 //
+                              "G1 X1\n"               // 20: 25.4 mm
                               "M30\n");
   std::map<int, Vector> ends;
   for (const Shown& at : shown) {
@@ -127,8 +127,8 @@ TEST(SituationInLogs, LeadsFromEachPointToItsMachinePosition) {
         << "line " << at.setpoint.line << ", " << codes_of(at.situation);
     ends[at.setpoint.line] = words_of(at.situation, p_W);
   }
-  const std::map<int, Vector> programmed{{6, {10, 3, 4}},  {8, {11, 4, 5}}, {10, {12, 6, 5}},
-                                         {12, {13, 7, 1}}, {16, {3, 1, 1}}, {18, {4, 2, 6}},
+  const std::map<int, Vector> programmed{{6, {10, 3, 4}},   {8, {11, 4, 5}}, {10, {12, 6, 5}},
+                                         {12, {13, 7, 1}},  {16, {3, 1, 1}}, {18, {4, 2, 6}},
                                          {20, {25.4, 2, 6}}};
   constexpr double last_cycle = 1e-4;  // mm: the way of the last cycle before the axes stand
   for (const auto& [line, words] : programmed) {
@@ -139,7 +139,8 @@ TEST(SituationInLogs, LeadsFromEachPointToItsMachinePosition) {
 }
 
 TEST(SituationInLogs, TellsCodesToolAndUnits) {
-  const auto shown = shown_on("lathe.toml", "G21 T0101\nG0 X100 Z0\nG55\nG0 X90\nG20\nG0 X4\nM30\n");
+  const auto shown =
+      shown_on("lathe.toml", "G21 T0101\nG0 X100 Z0\nG55\nG0 X90\nG20\nG0 X4\nM30\n");
   std::map<int, situation_t> of_line;
   for (const Shown& at : shown) of_line[at.setpoint.line] = at.situation;
   ASSERT_TRUE(of_line.contains(2) && of_line.contains(4) && of_line.contains(6));

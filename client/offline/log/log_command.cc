@@ -140,16 +140,19 @@ int exit_code_of(const runtime::ReplayResult& result) {
   return result.is_cut ? exit_log_was_cut : 0;
 }
 
+nlohmann::json gaps_json(const runtime::ReplayResult& result) {
+  nlohmann::json gaps = nlohmann::json::array();
+  for (const runtime::SetpointGap& gap : result.gaps)
+    gaps.push_back({{"first", gap.first}, {"last", gap.last}});
+  return gaps;
+}
+
 nlohmann::json replay_json(const runtime::ReplayResult& result) {
-  nlohmann::json json{{"ok", result.is_same()},
-                      {"verdict", verdict_of(result)},
-                      {"cycles", result.cycles},
-                      {"setpoints", result.setpoints},
-                      {"complete", result.is_complete()},
-                      {"covered", result.has_checks},
-                      {"remarks", result.remarks},
-                      {"lost_from_cycle", nullptr},
-                      {"difference", nullptr}};
+  nlohmann::json json{{"ok", result.is_same()},           {"verdict", verdict_of(result)},
+                      {"cycles", result.cycles},          {"setpoints", result.setpoints},
+                      {"complete", result.is_complete()}, {"covered", result.has_checks},
+                      {"gaps", gaps_json(result)},        {"remarks", result.remarks},
+                      {"lost_from_cycle", nullptr},       {"difference", nullptr}};
   if (result.lost_cycle) json["lost_from_cycle"] = *result.lost_cycle;
   if (result.difference) {
     const runtime::SetpointDifference& first = *result.difference;

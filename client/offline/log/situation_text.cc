@@ -62,8 +62,8 @@ ordered_json codes_of(const situation_t& situation) {
 }
 
 ordered_json terms_of(const situation_t& situation, const std::vector<AxisDescription>& axes) {
-  const bool hangs_over = situation.overhang_axis >= 0 &&
-                          checked_size(situation.overhang_axis) < axes.size();
+  const bool hangs_over =
+      situation.overhang_axis >= 0 && checked_size(situation.overhang_axis) < axes.size();
   ordered_json overhang = nullptr;
   if (hangs_over) overhang = axes[checked_size(situation.overhang_axis)].word;
   return {{"work_offset", by_word(situation.work_offset, axes)},
@@ -92,9 +92,9 @@ std::string length_text(const situation_t& situation) {
   if (length == 0.0 && situation.length_tool == 0) return "-";
   const auto& along = situation.length;
   const bool is_along_z = along[0] == 0.0 && along[1] == 0.0;
-  const std::string value =
-      is_along_z ? fmt::format("{:.3f}", along[2])
-                 : fmt::format("{:.3f} {:.3f} {:.3f}", along[0], along[1], along[2]);
+  const std::string value = is_along_z
+                                ? fmt::format("{:.3f}", along[2])
+                                : fmt::format("{:.3f} {:.3f} {:.3f}", along[0], along[1], along[2]);
   return situation.length_tool == 0 ? value : fmt::format("H{} {}", situation.length_tool, value);
 }
 

@@ -387,7 +387,9 @@ int run_one(const SimulateOptions& given) {
   if (!log_error.empty()) write_message("error: " + log_error + "\n");
   observers.lines_and_traces.clear();
   tell_faults(result);
-  const bool has_workpieces = observers.parts == nullptr || observers.parts->finish(result.runs);
+  const bool has_workpieces =
+      observers.parts == nullptr ||
+      observers.parts->finish(result.runs, is_interrupted() ? RunWas::interrupted : RunWas::whole);
   print_result(given, options.file.machine, result, observers);
   const int code = outcome(result);
   return code == 0 && (!log_error.empty() || !has_workpieces) ? exit_failed : code;

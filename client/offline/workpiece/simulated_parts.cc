@@ -1,5 +1,7 @@
 #include "client/offline/workpiece/simulated_parts.h"
 
+#include "client/terminal/output.h"
+
 namespace stanok::client {
 
 FileNames names_of(const std::vector<channels::RunReport>& runs) {
@@ -24,6 +26,25 @@ std::vector<NamedWorkpiece> finished_workpieces(const runtime::SimulatedWorkpiec
   }
   return finished;
 }
+
+namespace {
+
+// As the rays have it: quick, and a little coarser than by the surface.
+std::vector<NamedWorkpiece> workpieces_so_far(const runtime::SimulatedWorkpieces& simulated,
+                                              const FileNames& name_of) {
+  std::vector<NamedWorkpiece> all;
+  for (const auto& feed : simulated.feeds()) {
+    for (const auto& workpiece : feed->follower().workpieces()) {
+      const simulation::CuttingReport& report = workpiece->report();
+      all.push_back({workpiece.get(),
+                     title_of(*workpiece, name_of, feed->channel()),
+                     {.volume_mm3 = report.removed_mm3(), .blocks = report.blocks()}});
+    }
+  }
+  return all;
+}
+
+}  // namespace
 
 void add_workpiece_options(CLI::App& command, WorkpieceOptions& options) {
   command
@@ -51,9 +72,17 @@ SimulatedParts::SimulatedParts(const config::MachineFile& file, const WorkpieceO
             refused_ = refused_ || code.front() == 'E';
           })) {}
 
-bool SimulatedParts::finish(const std::vector<channels::RunReport>& runs) {
+bool SimulatedParts::finish(const std::vector<channels::RunReport>& runs, RunWas run) {
   names_ = names_of(runs);
-  workpieces_ = finished_workpieces(*simulated_, names_);
+  if (run == RunWas::interrupted) {
+    workpieces_ = workpieces_so_far(*simulated_, names_);
+    if (!files_.stl.empty() || !files_.picture.empty())
+      write_message("interrupted: STL and picture are not written\n");
+    files_.stl.clear();
+    files_.picture.clear();
+  } else {
+    workpieces_ = finished_workpieces(*simulated_, names_);
+  }
   if (workpieces_.empty() && !refused_ && files_.is_wanted())
     complain(0, "E9201", "no program has announced a workpiece with #workpiece");
   const std::vector<std::string> failures = write_files(workpieces_, files_, names_);

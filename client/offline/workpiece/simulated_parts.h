@@ -24,6 +24,8 @@ void add_workpiece_options(CLI::App& command, WorkpieceOptions& options);
 [[nodiscard]] std::vector<NamedWorkpiece> finished_workpieces(
     const runtime::SimulatedWorkpieces& simulated, const FileNames& name_of);
 
+enum class RunWas : std::uint8_t { whole, interrupted };
+
 class SimulatedParts {
  public:
   // `file` outlives it.
@@ -35,8 +37,9 @@ class SimulatedParts {
   }
 
   // At the end of the run: what is wanted is written. False when that failed, or when files are
-  // wanted and no program has announced a workpiece; the reasons went to stderr.
-  [[nodiscard]] bool finish(const std::vector<channels::RunReport>& runs);
+  // wanted and no program has announced a workpiece; the reasons went to stderr. Of a run that was
+  // interrupted nobody waits for a surface: the report only, with volumes by rays.
+  [[nodiscard]] bool finish(const std::vector<channels::RunReport>& runs, RunWas run);
   void print_summary() const { print(workpieces_, names_); }
   [[nodiscard]] nlohmann::ordered_json json() const;
 

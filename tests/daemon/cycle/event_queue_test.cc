@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
 #include <vector>
 
 #include "tests/support/no_allocation.h"
@@ -44,6 +46,45 @@ TEST(EventQueue, TakesStopsWhenItIsFullOfOtherThings) {
   }
   EXPECT_FALSE(queue.put(event(OperatorAction::program_start)))
       << "nothing starts from the places of stops";
+}
+
+TEST(EventQueue, HandsOnNothingThatWasWithdrawnButStops) {
+  EventQueue queue;
+  ASSERT_TRUE(queue.put(event(OperatorAction::override_feed, 1)));
+  EXPECT_EQ(queue.take().events.size(), 1U);
+  ASSERT_TRUE(queue.put(event(OperatorAction::program_start, 2)));
+  ASSERT_TRUE(queue.put(event(OperatorAction::program_hold, 3)));
+  EXPECT_EQ(queue.withdraw(3), 1U) << "the cycle has seen the first one only";
+  ASSERT_TRUE(queue.put(event(OperatorAction::program_start, 4)));
+  const auto taken = queue.take();
+  ASSERT_EQ(taken.events.size(), 2U);
+  EXPECT_EQ(taken.events[0].id, 3U);
+  EXPECT_EQ(taken.events[1].id, 4U);
+  ASSERT_EQ(taken.overtaken.size(), 1U);
+  EXPECT_EQ(taken.overtaken[0].id, 2U);
+}
+
+// What is told to be void has no effect, whenever the cycle comes.
+TEST(EventQueue, NeverHandsOnWhatIsSaidToBeWithdrawn) {
+  constexpr std::uint64_t seeds = 1000;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    EventQueue queue;
+    constexpr std::uint64_t events = 8;
+    for (std::uint64_t id = 1; id <= events; ++id)
+      ASSERT_TRUE(queue.put(event(OperatorAction::program_start, id)));
+    std::atomic<bool> begins{false};
+    std::vector<std::uint64_t> effects;
+    std::jthread cycle([&] {
+      while (!begins) std::this_thread::yield();
+      for (std::uint64_t n = 0; n < seed % 50; ++n) std::this_thread::yield();
+      for (const OperatorEvent& taken : queue.take().events) effects.push_back(taken.id);
+    });
+    begins = true;
+    for (std::uint64_t n = 0; n < seed % 37; ++n) std::this_thread::yield();
+    const std::uint64_t newest_taken = queue.withdraw(events);
+    cycle.join();
+    for (const std::uint64_t id : effects) EXPECT_LE(id, newest_taken) << "seed " << seed;
+  }
 }
 
 TEST(EventQueue, IsTakenWithoutTheHeap) {

@@ -387,6 +387,21 @@ TEST_F(DispatchTest, GivesUpWhenTheCycleStands) {
   dispatch.on_reply(accepted(machine.submitted()[0].id));  // too late: nobody is asked twice
 }
 
+// What the cycle has begun to take it answers when it goes on; nothing newer takes effect.
+TEST_F(DispatchTest, WithdrawsWhatItGivesUp) {
+  tick(0ms);
+  const auto taken = ask("program.resume");
+  const auto waiting = ask("program.start");
+  machine.taking = machine.submitted()[0].id;
+  tick(2100ms);
+  EXPECT_FALSE(taken->has_value());
+  ASSERT_TRUE(waiting->has_value());
+  EXPECT_EQ(waiting->value().error().code, "E9006");
+  EXPECT_EQ(machine.withdrawn, machine.submitted()[1].id);
+  dispatch.on_reply(accepted(machine.submitted()[0].id));
+  EXPECT_TRUE(taken->has_value());
+}
+
 TEST_F(DispatchTest, ListsAlarmsUntilTheyAreAcknowledged) {
   channels::AlarmReport alarm;
   alarm.channel = 1;

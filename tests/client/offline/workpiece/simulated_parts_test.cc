@@ -58,7 +58,7 @@ class WorkpieceRun : public ::testing::Test {
     EXPECT_EQ(log.close(), "");
     for (const auto& alarm : result.alarms)
       ADD_FAILURE() << alarm.diagnostic.place.line << ": " << alarm.diagnostic.message;
-    finished_ = parts.finish(result.runs);
+    finished_ = parts.finish(result.runs, RunWas::whole);
     return parts.json();
   }
 
