@@ -16,16 +16,17 @@ namespace {
 using channels::OperatorAction;
 
 // Chords of 0.05 mm on a circle of 20 mm radius, three times round, at 100 mm/s: 3.8 s of motion.
-constexpr int chords = 7540;
-constexpr double radius = 20.0;
+constexpr int circle_chords = 7540;
+constexpr double circle_radius = 20.0;
 
 std::string circle() {
   std::ostringstream text;
-  text << "G21 G90 G17 G64 P0.01\nG0 X" << radius << " Y0\nF6000\n";
+  text << "G21 G90 G17 G64 P0.01\nG0 X" << circle_radius << " Y0\nF6000\n";
   text << std::fixed;
-  for (int k = 1; k <= chords; ++k) {
-    const double angle = 3.0 * 2.0 * std::numbers::pi * k / chords;
-    text << "G1 X" << radius * std::cos(angle) << " Y" << radius * std::sin(angle) << "\n";
+  for (int k = 1; k <= circle_chords; ++k) {
+    const double angle = 3.0 * 2.0 * std::numbers::pi * k / circle_chords;
+    text << "G1 X" << circle_radius * std::cos(angle) << " Y" << circle_radius * std::sin(angle)
+         << "\n";
   }
   text << "M30\n";
   return text.str();
@@ -49,12 +50,12 @@ TEST(StarvedPath, RestsOnceInTwoSecondsOfMotionAndSaysWhere) {
         const channels::ChannelOutput& channel = output.channels[0];
         is_over = !channel.running;
         const bool in_cut =
-            channel.running && channel.tag.line > 3 && channel.tag.line < 3 + chords;
+            channel.running && channel.tag.line > 3 && channel.tag.line < 3 + circle_chords;
         if (in_cut && channel.path_speed == 0.0 && speed_before > 0.0) ++rests;
         speed_before = channel.path_speed;
         const double x = channel.point_W[0].value;
         const double y = channel.point_W[1].value;
-        if (in_cut) worst = std::max(worst, std::abs(std::hypot(x, y) - radius));
+        if (in_cut) worst = std::max(worst, std::abs(std::hypot(x, y) - circle_radius));
       },
       [&](const channels::Event& event) {
         if (event.code.view() == "W730") told.push_back(event.tag.line);
