@@ -64,12 +64,12 @@ reset_channels() {
 }
 
 # switch_on: a computer that is loaded may starve the drives inside the daemon, which is told as a drive that does
-# not answer (A3001) or as its fault (A3002); an operator switches on again.
+# not answer (A3001) or as its fault (A3002); an operator resets (E6004) and switches on again.
 switch_on() {
   local k
   for ((k = 0; k < 10; ++k)); do
     output=$("${operate[@]}" machine on 2>"$folder/stanok.err") && return
-    grep -q 'A300[12]' "$folder/stanok.err" || break
+    grep -qE 'A300[12]|E6004' "$folder/stanok.err" || break
     sleep 0.5
     reset_channels
   done

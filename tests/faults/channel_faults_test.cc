@@ -91,12 +91,13 @@ TEST_F(ChannelFaults, APoseOutOfReachStopsTheProgramBeforeIt) {
   EXPECT_LE(bench.channel(1).axes[0].position, 450.0) << "the limit of the axis";
 }
 
-// Between 0 and its greatest value in every few cycles: within speed and acceleration all the same.
+// Between 0 and its greatest value in every few cycles: within speed, and within the acceleration
+// of a stop, which an override of 0 is.
 TEST_F(ChannelFaults, OverridesThatJumpKeepTheLimits) {
   std::mt19937 random(7);
   bench.demand("program.run", {{"program", "long.nc"}});
   const auto& limits = mill_of_the_bench().machine.axes[0].limits;
-  const double a_max = limits.acceleration_max * (1.0 + 1e-6);
+  const double a_max = limits.acceleration_max * limits.stop_limits * (1.0 + 1e-6);
   int jumps = 0;
   for (; jumps < 2000 && bench.channel(1).running && !HasFatalFailure(); ++jumps) {
     static_cast<void>(bench.ask(0, "override.feed", {{"percent", jumps % 2 == 0 ? 0 : 200}}));
