@@ -31,6 +31,19 @@ channels::CycleOutput before_the_first_cycle(const channels::MachineConfig& mach
   return output;
 }
 
+void refuse_overtaken(std::span<const channels::OperatorEvent> events,
+                      Ring<channels::OperatorReply>& replies) RT_SAFE {
+  for (const channels::OperatorEvent& event : events) {
+    channels::OperatorReply reply;
+    reply.id = event.id;
+    reply.ok = false;
+    reply.code = FixedText<8>("E6072");
+    reply.text = FixedText<240>("a stop was asked for after this and came first");
+    // A full ring loses the answer, as it does in the coordinator; the desk answers in the end.
+    static_cast<void>(replies.push(reply));
+  }
+}
+
 }  // namespace
 
 AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& recorder,
@@ -60,19 +73,7 @@ void AssembledMachine::cycle() RT_SAFE {
   const channels::CycleOutput& output = assembly_.cycle(taken.events);
   newest_.put(output);
   cycles_.store(output.cycle, std::memory_order_release);
-  refuse_overtaken(taken.overtaken);
-}
-
-void AssembledMachine::refuse_overtaken(std::span<const channels::OperatorEvent> events) RT_SAFE {
-  for (const channels::OperatorEvent& event : events) {
-    channels::OperatorReply reply;
-    reply.id = event.id;
-    reply.ok = false;
-    reply.code = FixedText<8>("E6072");
-    reply.text = FixedText<240>("a stop was asked for after this and came first");
-    // A full ring loses the answer, as it does in the coordinator; the desk answers in the end.
-    static_cast<void>(replies_.push(reply));
-  }
+  refuse_overtaken(taken.overtaken, replies_);
 }
 
 std::optional<channels::OperatorReply> AssembledMachine::stop_reply() {

@@ -108,8 +108,6 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   }
 
  private:
-  void refuse_overtaken(std::span<const channels::OperatorEvent> events) RT_SAFE;
-
   runtime::Assembly& assembly_;
   channels::Machine& machine_;  // of the assembly
   Ring<channels::OperatorReply>& replies_;

@@ -89,24 +89,13 @@ bool LookAhead::deliver(PathQueue& queue) {
     bool pushed = true;
     for (const Segment& segment : next.segments) pushed = queue.segments.push(segment) && pushed;
     for (const Phase& phase : next.phases) pushed = queue.phases.push(phase) && pushed;
-    next.chunk.sequence = delivered_++;
+    next.chunk.sequence = delivered_.next_number();
     pushed = queue.chunks.push(next.chunk) && pushed;
     STANOK_ASSERT(pushed);
-    in_queue_.push_back({queue.chunks.pushed(), next.chunk.time_s});
-    seconds_in_queue_ += next.chunk.time_s;
+    delivered_.note(next.chunk, queue);
     ready_.pop_front();
   }
   return true;
-}
-
-double LookAhead::seconds_in(const PathQueue& queue) {
-  const std::size_t done = queue.chunks.popped();
-  while (!in_queue_.empty() && in_queue_.front().number <= done) {
-    seconds_in_queue_ -= in_queue_.front().time_s;
-    in_queue_.pop_front();
-  }
-  if (in_queue_.empty()) seconds_in_queue_ = 0.0;  // rounding
-  return seconds_in_queue_;
 }
 
 bool LookAhead::is_empty() const {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "motion/look_ahead/delivered_chunks.h"
 #include "motion/look_ahead/speed_plan.h"
 #include "motion/path/path.h"
 #include "motion/path/path_queue.h"
@@ -41,7 +42,7 @@ class LookAhead {
   [[nodiscard]] bool deliver(PathQueue& queue);
 
   // How long what was delivered and the consumer has not done with takes, by whole chunks.
-  [[nodiscard]] double seconds_in(const PathQueue& queue);
+  [[nodiscard]] double seconds_in(const PathQueue& queue) { return delivered_.seconds_in(queue); }
 
   // Nothing is pending: all segments taken were committed and delivered.
   [[nodiscard]] bool is_empty() const;
@@ -69,11 +70,6 @@ class LookAhead {
   struct ChainEnd {
     std::shared_ptr<const OverlapCorner> overlap;
     double stand_mm = 0.0;
-  };
-  // Chunk `number` of the queue, counted from 1 since its construction.
-  struct Delivered {
-    std::uint64_t number = 0;
-    double time_s = 0.0;
   };
   // A state with a = 0 after so many segments, s of path.
   struct RestKey {
@@ -128,9 +124,7 @@ class LookAhead {
   Rest rest_;
 
   std::deque<Committed> ready_;
-  std::uint64_t delivered_ = 0;
-  std::deque<Delivered> in_queue_;
-  double seconds_in_queue_ = 0.0;
+  DeliveredChunks delivered_;
 };
 
 }  // namespace stanok::motion
