@@ -455,8 +455,8 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "check what slows the daemon down: a computer with too much to do",
      "motion is not affected; the recorded log has every run and alarm"},
     {"W730", "the axes rested in the cut", Reaction::warning,
-     "give the computer less other work, or the preparation its real-time rights (machine status); "
-     "programs of very short blocks need fewer of them, as stanok check says",
+     "give the computer less other work; machine status tells whether the daemon has real-time "
+     "rights",
      "the program goes on by itself when two seconds of motion are prepared"},
     {"W810", "the feed is above what the axes can do", Reaction::warning,
      "the text names the block and the limit; the path runs as fast as the axes can",
