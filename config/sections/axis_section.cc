@@ -59,7 +59,7 @@ const Keys<AxisFile>& axis_keys() {
       {"rapid_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::rapid_max>, optional,
        "mm/s, deg/s", "velocity of rapid moves", limit_of_motion, "velocity_max"},
       {"stop_limits", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::stop_limits>, optional,
-       "", "part of acceleration_max and jerk_max that a stop may use", from(1.0, 2.0),
+       "", "how many times acceleration_max and jerk_max a stop may use", from(1.0, 2.0),
        "that of [machine]"},
       {"resolution", at<&AxisFile::axis, &AxisConfig::resolution>, optional, "mm, deg",
        "one increment of the position code", positive},

@@ -81,7 +81,7 @@ const Keys<MachineSection>& machine_keys() {
       {"cycle_us", at<&MachineSection::cycle_us>, optional, "us", "real-time cycle",
        from(100, 20000)},
       {"stop_limits", at<&MachineSection::stop_limits>, optional, "",
-       "part of acceleration_max and jerk_max of its axes that a stop may use", from(1.0, 2.0)},
+       "how many times acceleration_max and jerk_max of its axes a stop may use", from(1.0, 2.0)},
       {"tables", at<&MachineSection::tables>, optional, "",
        "file with tools and offsets at first start"},
       {"tables_write_protected", at<&MachineSection::tables_write_protected>, optional, "",
