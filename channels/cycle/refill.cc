@@ -1,5 +1,7 @@
 #include "channels/cycle/refill.h"
 
+#include "channels/messages/channel_link.h"
+
 namespace stanok::channels {
 namespace {
 
@@ -10,7 +12,7 @@ bool is_enough(const motion::PathQueue& queue) RT_SAFE {
   for (std::size_t k = 0; k < queue.chunks.size(); ++k) {
     const motion::Chunk& chunk = queue.chunks[k];
     time += chunk.time_s;
-    if (chunk.last || time >= Refill::enough_s) return true;
+    if (chunk.last || time >= enough_path_s) return true;
   }
   return false;
 }

@@ -13,8 +13,6 @@ namespace stanok::channels {
 
 class Refill {
  public:
-  static constexpr double enough_s = 2.0;  // of motion
-
   // Once a cycle. True: it begins now.
   [[nodiscard]] bool look(motion::PathState state, const motion::PathQueue& queue) RT_SAFE;
   // No path, no rest: a run begins, or what there was is dropped.

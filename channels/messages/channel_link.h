@@ -16,6 +16,10 @@ namespace stanok::channels {
 // Of one chain of the path: its riders and those of the next one have room.
 inline constexpr std::size_t riders_in_chain_max = 4096;
 
+// Motion that is to be before the cycle: with less the preparation is urgent, and a path that ran
+// dry goes on with so much; s.
+inline constexpr double enough_path_s = 2.0;
+
 struct ChannelLink {
   motion::PathQueue path;                       // preparation -> cycle
   Ring<Item> items{256};                        // preparation -> cycle

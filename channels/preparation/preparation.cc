@@ -57,8 +57,7 @@ Progress Preparation::work() {
 }
 
 bool Preparation::is_urgent() {
-  constexpr double enough_s = 2.0;
-  return task_ == Task::running && parts_.queue.seconds_ahead() < enough_s;
+  return task_ == Task::running && parts_.queue.seconds_ahead() < enough_path_s;
 }
 
 void Preparation::obey_notices() {
