@@ -153,6 +153,19 @@ LetterSet words_of_haas(CodeNumber code) {
   }
 }
 
+LetterSet words_on_lathes(CodeNumber code, const TextRules& rules) {
+  LetterSet words = 0;
+  if (rules.is_fanuc() && (code == g(77) || code == g(78))) words |= letters_of("I");
+  if (rules.is_fanuc() && code == g(78)) words |= letters_of("Q");
+  if (rules.is_fanuc() && code == g(79)) words |= letters_of("K");
+  if (rules.is_haas() && code == g(73)) words |= letters_of("ID");
+  if (code == g(70)) words |= rules.is_haas() ? letters_of("UWD") : letters_of("UW");
+  if (code == g(73)) words |= letters_of("PUW");
+  if (code == g(76)) words |= letters_of("AD");
+  if (code == g(83) || code == g(85)) words |= letters_of("P");
+  return words;
+}
+
 }  // namespace
 
 LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRules& rules) {
@@ -164,15 +177,7 @@ LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRul
   if (rules.is_linuxcnc() && code.number == g(64)) words |= letters_of("R");
   if (rules.is_fanuc() && !on_lathe && drills_with_shift(code.number, rules))
     words |= letters_of("IJ");
-  if (!on_lathe) return words;
-  if (rules.is_fanuc() && (code.number == g(77) || code.number == g(78))) words |= letters_of("I");
-  if (rules.is_fanuc() && code.number == g(78)) words |= letters_of("Q");
-  if (rules.is_fanuc() && code.number == g(79)) words |= letters_of("K");
-  if (rules.is_haas() && code.number == g(73)) words |= letters_of("ID");
-  if (code.number == g(70)) words |= rules.is_haas() ? letters_of("UWD") : letters_of("UW");
-  if (code.number == g(73)) words |= letters_of("PUW");
-  if (code.number == g(76)) words |= letters_of("AD");
-  if (code.number == g(83) || code.number == g(85)) words |= letters_of("P");
+  if (on_lathe) words |= words_on_lathes(code.number, rules);
   return words;
 }
 

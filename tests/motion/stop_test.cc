@@ -288,6 +288,35 @@ TEST(Stops, RestBeforeTheEndOfWhatArrived) {
   }
 }
 
+// Changes the override and holds by chance, for 20 s; then lets the path go on.
+class RestlessOperator {
+ public:
+  explicit RestlessOperator(Random& random) : random_(random) {}
+
+  FeedControl control(int cycle) {
+    constexpr int restless_cycles = 20000;
+    if (cycle > restless_cycles) {
+      control_ = {};
+    } else {
+      change();
+    }
+    holds_.push_back(control_.hold);
+    return control_;
+  }
+  [[nodiscard]] bool held(std::size_t cycle) const { return holds_[cycle]; }
+
+ private:
+  void change() {
+    if (random_.chance(0.01))
+      control_.feed_override = random_.chance(0.3) ? 1.0 : random_.between(0.1, 2.0);
+    if (random_.chance(control_.hold ? 0.004 : 0.005)) control_.hold = !control_.hold;
+  }
+
+  Random& random_;
+  FeedControl control_;
+  std::vector<bool> holds_;
+};
+
 // At other overrides than 1, from changes of the override and from a resume: soon at rest, within
 // the stop limits, and the path goes on from there to its end within the limits of the axes.
 TEST(Stops, ComeAndGoWhateverTheOverrideDoes) {
@@ -299,22 +328,13 @@ TEST(Stops, ComeAndGoWhateverTheOverrideDoes) {
     const bool is_sine = seed % 4 == 0;
     Program program = motion::testing::winding_way(random, {}, {.blocks = 120});
     const std::vector<PathBlock> blocks = is_sine ? sine(8000.0) : program.blocks;
-    FeedControl control;
-    std::vector<bool> holds;
-    const auto samples = run_path(config, built_from(config, blocks), [&](int cycle) {
-      const bool is_over = cycle > 20000;
-      if (is_over) control = {};
-      if (!is_over && random.chance(0.01))
-        control.feed_override = random.chance(0.3) ? 1.0 : random.between(0.1, 2.0);
-      if (!is_over && (control.hold ? random.chance(0.004) : random.chance(0.005)))
-        control.hold = !control.hold;
-      holds.push_back(control.hold);
-      return control;
-    });
+    RestlessOperator person(random);
+    const auto samples = run_path(config, built_from(config, blocks),
+                                  [&](int cycle) { return person.control(cycle); });
     constexpr int released_within = 150;  // cycles
     int since_hold = released_within;
     for (std::size_t k = 1; k < samples.size(); ++k) {
-      since_hold = holds[k - 1] ? 0 : since_hold + 1;
+      since_hold = person.held(k - 1) ? 0 : since_hold + 1;
       const bool is_stop = since_hold < released_within;
       ASSERT_LE(use_of(is_stop ? config : without_stops, samples[k].out), 1.0 + 1e-9)
           << "cycle " << k;

@@ -88,7 +88,7 @@ class TextState {
     for (const Word& word : words) {
       const bool changes = code_of(word) == "M6" || channel_.tool_change == "t_word";
       const bool is_change = word.letter == (channel_.tool_change == "t_word" ? 'T' : 'M');
-      if (changes && is_change && prepared_) tool_ = *prepared_;
+      if (changes && is_change && prepared_) tool_ = prepared_;
     }
     if (is_of_other_spindle || spindle_is_axis_) spindle_.reset();
   }
