@@ -5,29 +5,17 @@
 #include <numbers>
 
 #include "base/units.h"
+#include "channels/axes/spindle_motion.h"
 
 namespace stanok::channels {
 namespace {
 
 constexpr double standstill_deg_per_s = 0.5;  // below, a drive that follows velocity 0 stands
-constexpr int counts_per_pulse = 4;           // both edges of both tracks
 
 // A position that a bus brings more seldom than once a cycle stays the same between. It counts as
 // told again when the spindle does not turn so far in a cycle, or after so long.
 constexpr double unseen_turns = 1.0 / 2000;
 constexpr double unseen_s = 0.05;
-
-double in_counts(double angle_deg, int pulses) RT_SAFE {
-  const double count_deg = full_turn_deg / (counts_per_pulse * pulses);
-  return count_deg * std::round(angle_deg / count_deg);
-}
-
-// As it is commanded to turn.
-motion::SpindleMotion command_of(const Spindle& spindle) RT_SAFE {
-  return {.turns = spindle.turns(),
-          .speed = spindle.speed() / seconds_per_minute,
-          .speed_wanted = spindle.target() / seconds_per_minute};
-}
 
 }  // namespace
 
@@ -83,20 +71,6 @@ bool SpindleGroup::are_settled() const RT_SAFE {
                      [](const Spindle& spindle) RT_SAFE { return spindle.is_settled(); });
 }
 
-void SpindleGroup::obey(const motion::SpindleOrder& order) RT_SAFE {
-  Spindle& spindle = spindles_[order.spindle];
-  switch (order.kind) {
-    case motion::SpindleOrder::Kind::none:
-      return;
-    case motion::SpindleOrder::Kind::stop_within:
-      return spindle.stop_within(order.turns);
-    case motion::SpindleOrder::Kind::turn_back:
-      return spindle.turn_back(order.factor, seconds_per_minute * order.acceleration);
-    case motion::SpindleOrder::Kind::go_on:
-      return spindle.go_on();
-  }
-}
-
 // The master spindle takes over what the present segment of the path asks for, and behind a law
 // what its last increment asked for, which may have no path any more; it keeps that until it is
 // told another speed. All spindles that hold a cutting speed follow the diameter.
@@ -125,14 +99,9 @@ void SpindleGroup::ask_speed(const AskedSpeed& speed) RT_SAFE {
 void SpindleGroup::observe() RT_SAFE {
   for (std::size_t s = 0; s < spindles().size(); ++s) {
     motion::SpindleObserver& observer = observers_[s];
-    const motion::SpindleMotion now = command_of(spindles_[s]);
-    observer.advance(constants_.cycle_s, now);
+    observer.advance(constants_.cycle_s, command_of(spindles_[s]));
     if (const auto angle_deg = measured_angle(s)) observer.observe(*angle_deg);
-    Spindle coming = spindles_[s];
-    coming.advance(constants_.cycle_s);
-    motion::SpindleMotion next = command_of(coming);
-    next.acceleration = (next.speed - now.speed) / constants_.cycle_s;
-    motion_.see_spindle(s, observer.ahead(constants_.cycle_s, next));
+    motion_.see_spindle(s, coming_motion(spindles_[s], observer, constants_.cycle_s));
   }
 }
 
@@ -143,7 +112,7 @@ std::optional<double> SpindleGroup::measured_angle(std::size_t spindle) RT_SAFE 
   const int axis = constants_.spindle_axis[spindle];
   if (axis < 0 || drives_.is_ideal()) {
     const double angle = axis < 0 ? spindles_[spindle].angle_deg() : axes_.setpoint(axis).position;
-    return config.encoder_pulses > 0 ? in_counts(angle, config.encoder_pulses) : angle;
+    return in_counts(angle, config.encoder_pulses);
   }
   const AxisFeedback& drive = drives_.feedback(axis);
   if (!drive.valid) return std::nullopt;

@@ -13,6 +13,7 @@
 #include "base/rt_safe.h"
 #include "channels/axes/axis_motion.h"
 #include "channels/axes/spindle.h"
+#include "channels/axes/spindle_motion.h"
 #include "motion/threads/spindle_observer.h"
 
 namespace stanok::channels {
@@ -32,7 +33,9 @@ class SpindleGroup {
   [[nodiscard]] bool are_settled() const RT_SAFE;
 
   // What a tap asks for. go_on: the next step of the program waits for the speed.
-  void obey(const motion::SpindleOrder& order) RT_SAFE;
+  void obey(const motion::SpindleOrder& order) RT_SAFE {
+    channels::obey(spindles_[order.spindle], order);
+  }
   // The speeds of feed laws and constant cutting speed, at the path as it is.
   void follow_process() RT_SAFE;
   // Tells the path how the spindles turn: before it goes on in the cycle.
