@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "channels/preparation/cutting_speed.h"
 #include "channels/preparation/scheme_switch.h"
+#include "channels/preparation/tap_trial.h"
 #include "motion/threads/synchronous_run.h"
 
 namespace stanok::channels {
@@ -155,8 +156,23 @@ std::optional<Diagnostic> ThreadPreparation::add(const lang::SynchronousMove& mo
   block.tolerance_mm = line.tolerance_mm;
   block.transform = line.transform;
   const auto found = is_tap ? builder_.add_tap(block) : builder_.add(block);
-  if (!found) return std::nullopt;
-  return diagnostic_of(*found);
+  if (found) return diagnostic_of(*found);
+  return is_tap ? tried_tap() : std::nullopt;
+}
+
+// A spindle whose speed is not known is not tried.
+std::optional<Diagnostic> ThreadPreparation::tried_tap() const {
+  if (rev_per_min_ <= 0.0) return std::nullopt;
+  const motion::ThreadChain chain = motion::ThreadBuilder(builder_).finish();
+  const TapTrial trial{spindles_[spindle_].config, chain, cycle_s_};
+  if (trial.succeeds_at(rev_per_min_)) return std::nullopt;
+  const double speed = std::floor(trial.fastest_below(rev_per_min_));
+  return fault("A4001",
+               "the axes cannot follow the spindle into this hole and out of it at " +
+                   short_number(rev_per_min_) + " rev/min",
+               speed >= 1.0
+                   ? "turn the spindle with at most S" + short_number(speed) + ", or tap deeper"
+                   : "tap deeper: the axes have no way to catch the spindle up on");
 }
 
 Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) const {

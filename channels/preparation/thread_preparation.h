@@ -54,6 +54,7 @@ class ThreadPreparation {
   };
 
   [[nodiscard]] std::size_t index_of(int spindle) const;
+  [[nodiscard]] std::optional<Diagnostic> tried_tap() const;
   [[nodiscard]] std::optional<Diagnostic> refusal(const lang::SynchronousMove& move) const;
   [[nodiscard]] Diagnostic diagnostic_of(const motion::ThreadFault& fault) const;
 

@@ -1,0 +1,62 @@
+#include "channels/preparation/tap_trial.h"
+
+#include "channels/axes/spindle_motion.h"
+#include "motion/threads/synchronous_run.h"
+
+namespace stanok::channels {
+namespace {
+
+// A spindle that turns as it is commanded, at its speed from the first moment on.
+class IdealSpindle {
+ public:
+  IdealSpindle(const SpindleConfig& config, double rev_per_min, double cycle_s)
+      : pulses_(config.encoder_pulses), cycle_s_(cycle_s), spindle_(config) {
+    spindle_.command(lang::SpindleCommand{.action = lang::SpindleAction::clockwise,
+                                          .speed_rev_per_min = rev_per_min});
+    while (spindle_.speed() != spindle_.target()) advance();
+  }
+
+  void advance() {
+    spindle_.advance(cycle_s_);
+    observer_.advance(cycle_s_, command_of(spindle_));
+    observer_.observe(in_counts(spindle_.angle_deg(), pulses_));
+  }
+  [[nodiscard]] motion::SpindleMotion coming() const {
+    return coming_motion(spindle_, observer_, cycle_s_);
+  }
+  void obey(const motion::SpindleOrder& order) { channels::obey(spindle_, order); }
+
+ private:
+  int pulses_;
+  double cycle_s_;
+  Spindle spindle_;
+  motion::SpindleObserver observer_;
+};
+
+}  // namespace
+
+bool TapTrial::succeeds_at(double rev_per_min) const {
+  constexpr double trial_max_s = 300.0;
+  double length = 0.0;
+  for (const motion::Segment& segment : chain.segments) length += segment.length;
+  IdealSpindle ideal(spindle, rev_per_min, cycle_s);
+  motion::SynchronousRun run(cycle_s);
+  run.begin(chain.coupling, length);
+  for (double time = 0.0; time < trial_max_s && !run.is_over(); time += cycle_s) {
+    static_cast<void>(run.advance(ideal.coming(), {}));
+    if (run.is_lost()) return false;
+    ideal.obey(run.order());
+    ideal.advance();
+  }
+  return true;
+}
+
+double TapTrial::fastest_below(double rev_per_min) const {
+  constexpr double step = 0.95;
+  for (double speed = step * rev_per_min; speed >= 1.0; speed *= step) {
+    if (succeeds_at(speed)) return speed;
+  }
+  return 0.0;
+}
+
+}  // namespace stanok::channels
