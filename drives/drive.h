@@ -8,9 +8,12 @@
 // or deg of the axis, per second; power in W, vibration in um and Hz.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 #include <type_traits>
+
+#include "base/rt_safe.h"
 
 namespace stanok::drives {
 
@@ -36,6 +39,9 @@ enum class OperationMode : std::uint8_t {
   cyclic_synchronous_velocity
 };
 
+// For which a drive that follows positions goes on with the velocity of its last target, s.
+inline constexpr double bridged_s = 0.1;
+
 struct DriveTarget {
   double position = 0.0;
   double velocity = 0.0;
@@ -48,6 +54,14 @@ struct DriveTarget {
   // change takes effect with `position_accepted` only.
   double position_offset = 0.0;
 };
+
+// What a target is that comes so much later than it should have: the drive went on meanwhile.
+[[nodiscard]] inline DriveTarget carried_on(DriveTarget target, double late_s) RT_SAFE {
+  const bool goes_on =
+      target.enabled && target.mode == OperationMode::cyclic_synchronous_position && late_s > 0.0;
+  if (goes_on) target.position += target.velocity * std::min(late_s, bridged_s);
+  return target;
+}
 
 struct DriveFeedback {
   double position = 0.0;

@@ -10,9 +10,6 @@ namespace {
 // Noise of a velocity estimate, and a drive that overshoots, must not be called absurd.
 constexpr double velocity_margin = 2.0;
 
-// For which a position drive goes on with the velocity of its last target.
-constexpr std::chrono::milliseconds bridged_time{100};
-
 double seconds(BusTime time) RT_SAFE {
   return static_cast<double>(time.count()) * 1e-9;
 }
@@ -234,10 +231,11 @@ void AxisExchange::take_measurements(const StatusBlock& answer) RT_SAFE {
 Band AxisExchange::reach_out_of_sight() const RT_SAFE {
   const double counted = counted_position();
   const double speed = std::fabs(velocity_before_loss_);
-  const BusTime bridged = config_.kind == DriveKind::velocity ? contact_.timeout() : bridged_time;
+  const double bridged =
+      config_.kind == DriveKind::velocity ? seconds(contact_.timeout()) : bridged_s;
   const double braking =
       config_.acceleration_max > 0.0 ? speed * speed / (2.0 * config_.acceleration_max) : 0.0;
-  const double ahead = std::copysign(speed * seconds(bridged), velocity_before_loss_);
+  const double ahead = std::copysign(speed * bridged, velocity_before_loss_);
   Band reach{std::min({counted, sent_.targets.low, counted + ahead}),
              std::max({counted, sent_.targets.high, counted + ahead})};
   (velocity_before_loss_ < 0.0 ? reach.low : reach.high) += std::copysign(braking, ahead);

@@ -6,14 +6,21 @@
 namespace stanok::drives {
 
 CycleBoxes::CycleBoxes(std::size_t drives, Duration timeout, Duration cycle)
-    : boxes_(drives), timeout_cycles_(static_cast<std::uint32_t>(std::ceil(timeout / cycle))) {}
+    : boxes_(drives),
+      cycle_(std::llround(cycle / second * 1e9)),
+      timeout_cycles_(static_cast<std::uint32_t>(std::ceil(timeout / cycle))) {}
 
-void CycleBoxes::write(std::span<const DriveTarget> targets) RT_SAFE {
+void CycleBoxes::write(std::span<const DriveTarget> targets, BusTime now) RT_SAFE {
   const std::size_t count = std::min(targets.size(), boxes_.size());
   for (std::size_t drive = 0; drive < count; ++drive) {
-    boxes_[drive].target.write(targets[drive]);
+    boxes_[drive].target.write({targets[drive], now + cycle_});
   }
   writes_.fetch_add(1, std::memory_order_relaxed);
+}
+
+DriveTarget CycleBoxes::target(std::size_t drive, BusTime now) {
+  const TimedTarget& newest = boxes_[drive].target.read();
+  return carried_on(newest.target, static_cast<double>((now - newest.due).count()) * 1e-9);
 }
 
 void CycleBoxes::read(std::span<DriveFeedback> feedback) RT_SAFE {

@@ -15,6 +15,7 @@
 #include "base/rt_safe.h"
 #include "base/units.h"
 #include "drives/drive.h"
+#include "drives/modbus/contact_watch.h"
 #include "drives/signals.h"
 
 namespace stanok::drives {
@@ -25,13 +26,15 @@ class CycleBoxes {
   CycleBoxes(std::size_t drives, Duration timeout, Duration cycle);
 
   // The cycle's. Drives that are not there are passed over.
-  void write(std::span<const DriveTarget> targets) RT_SAFE;
+  // Its targets are for the end of the cycle that began `now`.
+  void write(std::span<const DriveTarget> targets, BusTime now) RT_SAFE;
   void read(std::span<DriveFeedback> feedback) RT_SAFE;
   void write_signals(const Signals& outputs) RT_SAFE { outputs_.write(outputs); }
   [[nodiscard]] Signals read_signals() RT_SAFE { return inputs_.read(); }
 
   // The bus thread's.
-  [[nodiscard]] DriveTarget target(std::size_t drive) { return boxes_[drive].target.read(); }
+  // The newest one; where the cycle is late, carried on to `now`.
+  [[nodiscard]] DriveTarget target(std::size_t drive, BusTime now);
   void publish(std::size_t drive, const DriveFeedback& feedback) {
     boxes_[drive].feedback.write(feedback);
   }
@@ -41,14 +44,19 @@ class CycleBoxes {
   [[nodiscard]] std::uint64_t writes() const { return writes_.load(std::memory_order_relaxed); }
 
  private:
+  struct TimedTarget {
+    DriveTarget target;
+    BusTime due{0};
+  };
   struct Boxes {
-    Latest<DriveTarget> target;
+    Latest<TimedTarget> target;
     Latest<DriveFeedback> feedback;
     std::uint32_t sequence_seen = 0;  // of the cycle
     std::uint32_t age_cycles = 0;
   };
 
   std::vector<Boxes> boxes_;
+  BusTime cycle_;
   std::uint32_t timeout_cycles_;
   Latest<Signals> outputs_;
   Latest<Signals> inputs_;

@@ -50,7 +50,7 @@ void ModbusBus::stop() {
 }
 
 void ModbusBus::write(std::span<const DriveTarget> targets) RT_SAFE {
-  boxes_.write(targets);
+  boxes_.write(targets, clock_.now());
 }
 
 void ModbusBus::read(std::span<DriveFeedback> feedback) RT_SAFE {
@@ -233,7 +233,7 @@ std::optional<ExchangeError> ModbusBus::exchange(std::size_t place, TargetAge ag
   if (const auto requests = drive.requests_to_look(); !requests.empty()) {
     if (const auto error = carry_out(drive, requests)) return error;
   }
-  return carry_out(drive, drive.requests_for(boxes_.target(place), age));
+  return carry_out(drive, drive.requests_for(boxes_.target(place, clock_.now()), age));
 }
 
 std::optional<ExchangeError> ModbusBus::carry_out(BusDrive& drive,

@@ -15,9 +15,6 @@ namespace {
 
 using drives::DriveState;
 
-// A demand without news stops to move after this time.
-constexpr double bridged_s = 0.1;
-
 // How far a drive is off that comes back elsewhere, in mm or deg.
 constexpr double shift_elsewhere = 10.0;
 
@@ -165,8 +162,8 @@ Demand SimulatedDrive::demand() const RT_SAFE {
     return {.position = turned_, .velocity = velocity};
   }
   const double position = map.target_position.value(command_.target_position) + measuring_.zero();
-  const bool is_bridged = target_age_s_ <= bridged_s;
-  return {.position = position + velocity * std::min(target_age_s_, bridged_s),
+  const bool is_bridged = target_age_s_ <= drives::bridged_s;
+  return {.position = position + velocity * std::min(target_age_s_, drives::bridged_s),
           .velocity = is_bridged || config_.kind == PlantKind::spindle ? velocity : 0.0};
 }
 

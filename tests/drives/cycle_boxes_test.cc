@@ -21,17 +21,35 @@ TEST(CycleBoxes, CarriesTargetsThereAndFeedbackBack) {
   std::vector<DriveFeedback> read(3);
   {
     const testing::NoAllocation guard;
-    boxes.write(targets);
+    boxes.write(targets, BusTime{0});
     boxes.read(read);
   }
-  EXPECT_EQ(boxes.target(0).position, 1.5);
-  EXPECT_EQ(boxes.target(1).position, -2.5);
+  EXPECT_EQ(boxes.target(0, BusTime{0}).position, 1.5);
+  EXPECT_EQ(boxes.target(1, BusTime{0}).position, -2.5);
   EXPECT_EQ(boxes.writes(), 1U);
   DriveFeedback feedback;
   feedback.position = 7.0;
   boxes.publish(1, feedback);
   boxes.read(read);
   EXPECT_EQ(read[1].position, 7.0);
+}
+
+// At 250 mm/s with a cycle of 1 ms: the target is for the end of the cycle, and the drive bridges
+// 100 ms behind it.
+TEST(CycleBoxes, ATargetOfALateCycleIsCarriedOn) {
+  CycleBoxes boxes(3, 250 * millisecond, 1 * millisecond);
+  DriveTarget moving{.position = 10.0, .velocity = 250.0, .enabled = true};
+  DriveTarget turning = moving;
+  turning.mode = OperationMode::cyclic_synchronous_velocity;
+  DriveTarget off = moving;
+  off.enabled = false;
+  boxes.write(std::vector{moving, turning, off}, milliseconds(40));
+  EXPECT_EQ(boxes.target(0, milliseconds(40)).position, 10.0);
+  EXPECT_EQ(boxes.target(0, milliseconds(41)).position, 10.0);
+  EXPECT_NEAR(boxes.target(0, milliseconds(44)).position, 10.75, 1e-12);
+  EXPECT_NEAR(boxes.target(0, milliseconds(400)).position, 35.0, 1e-12);
+  EXPECT_EQ(boxes.target(1, milliseconds(44)).position, 10.0);
+  EXPECT_EQ(boxes.target(2, milliseconds(44)).position, 10.0);
 }
 
 TEST(CycleBoxes, FeedbackThatDoesNotChangeForTheTimeOutIsInvalid) {
