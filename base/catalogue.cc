@@ -41,6 +41,10 @@ constexpr auto alarm_rows = std::to_array<CatalogueRow>({
     {"A4001", "the axes cannot follow the spindle through a thread", Reaction::feed_hold,
      "turn the spindle more slowly, and check that its speed is steady",
      "reset the channel; a tool may still be in the thread"},
+    {"A4002", "a thread was left because the control came too late", Reaction::feed_hold,
+     "give the computer less other work; catch_up_max of the machine file says how much later it "
+     "may come",
+     "reset the channel; a tool may still be in the thread"},
     {"A4010", "the power sensor of force control gives no value", Reaction::feed_hold,
      "check the sensor, the spindle drive and its bus; process status shows the power",
      "resume: the feed stays at its minimum until force control is commanded again"},
@@ -458,6 +462,13 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "give the computer less other work; machine status tells whether the daemon has real-time "
      "rights",
      "the program goes on by itself when two seconds of motion are prepared"},
+    {"W731", "the axes rested in the cut: the control came too late", Reaction::warning,
+     "give the computer less other work; machine status tells how many periods were lost and "
+     "whether the daemon has real-time rights",
+     "the program goes on by itself"},
+    {"W732", "the run is held: the control stood still", Reaction::warning,
+     "find out what stopped the computer: a debugger, sleep, a virtual machine that was moved",
+     "check the positions of the axes, then resume the program"},
     {"W810", "the feed is above what the axes can do", Reaction::warning,
      "the text names the block and the limit; the path runs as fast as the axes can",
      "nothing needs to be done"},

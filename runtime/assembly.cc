@@ -1,7 +1,9 @@
 #include "runtime/assembly.h"
 
 #include <stdexcept>
+#include <utility>
 
+#include "runtime/clock_gaps.h"
 #include "runtime/drive_side/drive_exchange.h"
 #include "runtime/drive_side/program_inputs.h"
 #include "runtime/force_controls.h"
@@ -41,7 +43,8 @@ struct Assembly::Parts {
                                                : nullptr),
         drives(
             make_drive_side(options.drives, {options.file, options.machine, process_plant.get()})),
-        inputs(contacts_of(options), options.machine) {
+        inputs(contacts_of(options), options.machine),
+        gaps(options.file.machine) {
     if (options.output_capacity > 0)
       outputs = std::make_unique<OutputBook>(options.output_capacity, machine.events());
   }
@@ -54,6 +57,8 @@ struct Assembly::Parts {
   std::unique_ptr<ProcessPlant> process_plant;
   std::unique_ptr<DriveSide> drives;
   ProgramInputs inputs;
+  ClockGaps gaps;
+  std::int64_t lost = 0;  // periods before the next cycle
   std::unique_ptr<OutputBook> outputs;
   channels::CycleOutput output;
 };
@@ -86,15 +91,40 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
   Parts& parts = *parts_;
   DriveSide& drives = *parts.drives;
   drives.read(events);
-  const channels::CycleInputs inputs{.events = events,
-                                     .feedback = drives.feedback(),
-                                     .signals = parts.inputs.read(drives, parts.output, touched),
-                                     .sensors = sensors.empty() ? drives.sensors() : sensors};
+  compute({.events = events,
+           .feedback = drives.feedback(),
+           .signals = parts.inputs.read(drives, parts.output, touched),
+           .sensors = sensors.empty() ? drives.sensors() : sensors,
+           .gap = parts.gaps.gap_of(std::exchange(parts.lost, 0))});
+  drives.write(parts.output);
+  return parts.output;
+}
+
+const channels::CycleOutput& Assembly::late_cycle(std::int64_t lost,
+                                                  std::span<const channels::OperatorEvent> events)
+    RT_SAFE {
+  Parts& parts = *parts_;
+  const std::int64_t carried = parts.gaps.carried(lost);
+  for (std::int64_t k = 0; k < carried && parts.machine.may_carry_on(); ++k) carry_on();
+  parts.drives->pass(lost);
+  parts.lost = lost;
+  return cycle(events);
+}
+
+// A cycle with what is known already; nothing is sent.
+void Assembly::carry_on() RT_SAFE {
+  Parts& parts = *parts_;
+  compute({.events = {},
+           .feedback = parts.drives->feedback(),
+           .signals = parts.inputs.latest(),
+           .sensors = parts.drives->sensors()});
+}
+
+void Assembly::compute(const channels::CycleInputs& inputs) RT_SAFE {
+  Parts& parts = *parts_;
   parts.machine.cycle(inputs, parts.output);
   if (parts.process_plant) parts.process_plant->advance(parts.output);
-  drives.write(parts.output);
   if (parts.outputs) parts.outputs->note(parts.output);
-  return parts.output;
 }
 
 double Assembly::position_of(int axis) const RT_SAFE {

@@ -50,6 +50,10 @@ class Assembly {
   const channels::CycleOutput& cycle(std::span<const channels::OperatorEvent> events,
                                      std::span<const channels::SpindleSensors> sensors = {},
                                      const Signals* touched = nullptr) RT_SAFE;
+  // One before which `lost` periods passed without a cycle: those in which the path may go on are
+  // made up for (clock_gaps.h). The drives get the last output only, `outputs` has all of them.
+  const channels::CycleOutput& late_cycle(std::int64_t lost,
+                                          std::span<const channels::OperatorEvent> events) RT_SAFE;
 
   // Where an axis of the machine stands before the next cycle.
   [[nodiscard]] double position_of(int axis) const RT_SAFE;
@@ -78,6 +82,8 @@ class Assembly {
 
  private:
   struct Parts;
+  void carry_on() RT_SAFE;
+  void compute(const channels::CycleInputs& inputs) RT_SAFE;
   std::unique_ptr<Parts> parts_;
 };
 

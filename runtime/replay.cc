@@ -4,6 +4,7 @@
 #include <bit>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "base/numbered.h"
 #include "base/place.h"
@@ -12,6 +13,7 @@
 #include "protocol/version.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
+#include "runtime/clock_gaps.h"
 #include "runtime/force_controls.h"
 #include "runtime/recorded_run.h"
 
@@ -106,7 +108,8 @@ class Repetition {
         machine_(config_, run.files, force_controls_.given_to(run.setup.options)),
         feedback_(config_.axes.size()),
         sensors_(config_.spindles.size()),
-        arrivals_(config_.channels.size()) {
+        arrivals_(config_.channels.size()),
+        gaps_(config_) {
     for (const auto& [channel, scheme] : run.setup.schemes)
       static_cast<void>(machine_.select_scheme_at_start(channel, scheme));
   }
@@ -134,6 +137,7 @@ class Repetition {
     if (!run_.feedback.empty()) inputs.feedback = feedback_;
     inputs.signals = &signals_;
     inputs.arrivals = arrivals_;
+    inputs.gap = std::exchange(gap_, {});
     machine_.cycle(inputs, output_);
     forget_news();
     return output_;
@@ -198,8 +202,10 @@ class Repetition {
   void take(const channels::InputRecord& input, const channels::UnknownInput& /*unknown*/) {
     refuse(input);
   }
-  // They changed nothing in the cycle.
-  void take(const channels::InputRecord& /*input*/, const channels::Overrun& /*overrun*/) {}
+  void take(const channels::InputRecord& /*input*/, const channels::Overrun& overrun) {
+    gap_ = gaps_.gap_of(overrun.periods);
+  }
+  // It changed nothing in the cycle.
   void take(const channels::InputRecord& /*input*/, const channels::LostInputs& /*lost*/) {}
 
   static void refuse(const channels::InputRecord& input) {
@@ -238,6 +244,8 @@ class Repetition {
   std::vector<channels::SpindleSensors> sensors_;
   NumberedList<channels::Arrivals> arrivals_;
   Signals signals_;
+  ClockGaps gaps_;
+  channels::ClockGap gap_;  // before the next cycle
   channels::CycleOutput output_;
   std::uint64_t last_id_ = 0;
   std::size_t next_input_ = 0;

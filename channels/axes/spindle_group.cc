@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/units.h"
 #include "channels/axes/spindle_motion.h"
@@ -66,6 +67,11 @@ void SpindleGroup::set_override(double factor) RT_SAFE {
   for (Spindle& spindle : spindles_) spindle.set_override(factor);
 }
 
+bool SpindleGroup::any_turns() const RT_SAFE {
+  return std::any_of(spindles_.begin(), spindles_.end(),
+                     [](const Spindle& spindle) RT_SAFE { return spindle.speed() != 0.0; });
+}
+
 bool SpindleGroup::are_settled() const RT_SAFE {
   return std::all_of(spindles_.begin(), spindles_.end(),
                      [](const Spindle& spindle) RT_SAFE { return spindle.is_settled(); });
@@ -97,12 +103,18 @@ void SpindleGroup::ask_speed(const AskedSpeed& speed) RT_SAFE {
 
 // The measured angle belongs to the instant at which the cycle begins; the setpoints, to its end.
 void SpindleGroup::observe() RT_SAFE {
+  const bool angles_are_old = std::exchange(angles_are_old_, false);
   for (std::size_t s = 0; s < spindles().size(); ++s) {
     motion::SpindleObserver& observer = observers_[s];
     observer.advance(constants_.cycle_s, command_of(spindles_[s]));
-    if (const auto angle_deg = measured_angle(s)) observer.observe(*angle_deg);
+    const auto angle_deg = measured_angle(s);
+    if (angle_deg && !(angles_are_old && is_told_by_drive(s))) observer.observe(*angle_deg);
     motion_.see_spindle(s, coming_motion(spindles_[s], observer, constants_.cycle_s));
   }
+}
+
+bool SpindleGroup::is_told_by_drive(std::size_t spindle) const RT_SAFE {
+  return constants_.spindle_axis[spindle] >= 0 && !drives_.is_ideal();
 }
 
 // That of the drive where the spindle is an axis with a drive that answers; else that of the
@@ -110,7 +122,7 @@ void SpindleGroup::observe() RT_SAFE {
 std::optional<double> SpindleGroup::measured_angle(std::size_t spindle) RT_SAFE {
   const SpindleConfig& config = constants_.spindles[spindle];
   const int axis = constants_.spindle_axis[spindle];
-  if (axis < 0 || drives_.is_ideal()) {
+  if (!is_told_by_drive(spindle)) {
     const double angle = axis < 0 ? spindles_[spindle].angle_deg() : axes_.setpoint(axis).position;
     return in_counts(angle, config.encoder_pulses);
   }

@@ -29,6 +29,7 @@ class SpindleGroup {
   void command(const lang::CuttingSpeedMode& mode) RT_SAFE;
   void stop() RT_SAFE;  // all of them
   void set_override(double factor) RT_SAFE;
+  [[nodiscard]] bool any_turns() const RT_SAFE;
   // All have the speed that the next step of the program waits for.
   [[nodiscard]] bool are_settled() const RT_SAFE;
 
@@ -38,6 +39,8 @@ class SpindleGroup {
   }
   // The speeds of feed laws and constant cutting speed, at the path as it is.
   void follow_process() RT_SAFE;
+  // Periods passed without a cycle: what the drives tell now may be as old as they.
+  void see_gap() RT_SAFE { angles_are_old_ = true; }
   // Tells the path how the spindles turn: before it goes on in the cycle.
   void observe() RT_SAFE;
   // One cycle; setpoints of axes that are spindles take the place of what the path says of them.
@@ -73,6 +76,7 @@ class SpindleGroup {
   [[nodiscard]] Spindle& spindle(int id) RT_SAFE;
   [[nodiscard]] bool means(int id, const Spindle& spindle) const RT_SAFE;
   void ask_speed(const AskedSpeed& speed) RT_SAFE;
+  [[nodiscard]] bool is_told_by_drive(std::size_t spindle) const RT_SAFE;
   [[nodiscard]] std::optional<double> measured_angle(std::size_t spindle) RT_SAFE;
 
   const ChannelConstants& constants_;
@@ -82,6 +86,7 @@ class SpindleGroup {
   NumberedArray<Spindle, spindles_max> spindles_{};
   NumberedArray<motion::SpindleObserver, spindles_max> observers_{};
   NumberedArray<EncoderNews, spindles_max> encoder_news_{};  // the latest of each spindle
+  bool angles_are_old_ = false;                              // in this cycle
   AskedSpeed speed_behind_law_;                              // when the present law is over
 };
 

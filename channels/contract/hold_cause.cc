@@ -16,6 +16,8 @@ std::string_view text_of(HoldCause cause) {
       return "single block";
     case HoldCause::sensor_fault:
       return "the power sensor of force control";
+    case HoldCause::clock_gap:
+      return "the control stood still meanwhile";
     case HoldCause::none:
       break;
   }

@@ -30,7 +30,7 @@ struct SpindleInput {
   double value = 0.0;
 };
 
-// The cycle began late.
+// Periods passed without a cycle before this one (channels/contract/clock_gap.h).
 struct Overrun {
   std::int64_t periods = 0;
 };

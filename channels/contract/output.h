@@ -42,6 +42,7 @@ enum class HoldCause : std::uint8_t {
   owner_failed,  // on_owner_failure
   single_block,
   sensor_fault,  // of force control
+  clock_gap,     // for longer than drives go on by themselves there was no cycle
 };
 // For people: "feed hold by an operator"; empty for none.
 [[nodiscard]] std::string_view text_of(HoldCause cause);

@@ -16,6 +16,27 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelConstants& con
       announcements_(link.remarks, log),
       arrivals_(link) {}
 
+// The drives did without it what their last targets let them do. A thread that is brought to rest
+// is left in step with its spindle, and cannot be entered again.
+void Channel::see_gap(const ClockGap& gap) RT_SAFE {
+  spindles.see_gap();
+  if (gap.then == AfterGap::goes_on || state().is_ending()) return;
+  FixedText<128> text("the cycle came ");
+  text.append(static_cast<long>(
+                  std::llround(1e3 * static_cast<double>(gap.periods) * constants.cycle_s)))
+      .append(" ms too late");
+  if (motion.path().is_led_by_spindle)
+    return run.fail("A4002", text.append(" within a thread").view(), motion.path().tag);
+  if (gap.then == AfterGap::is_held) {
+    if (state().situation() == Situation::running)
+      log.tell("W732", text.view(), items_.current_tag());
+    return run.hold(HoldCause::clock_gap);
+  }
+  if (rests_after_gap_ || !state().is_running() || motion.path_is_at_rest()) return;
+  rests_after_gap_ = true;
+  log.tell("W731", text.append(": the axes come to rest on the path").view(), motion.path().tag);
+}
+
 // A drive that is lost or faulty stops the channel along its path.
 void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
   const bool homes = motion.manual().homing() == ManualMotion::HomingState::running;
@@ -100,6 +121,7 @@ void Channel::move() RT_SAFE {
   const bool is_guarded = state().is_running() && !state().is_ending();
   const auto fault = motion.advance(queue, control, chunk_limit,
                                     is_guarded ? SoftLimits::guarded : SoftLimits::not_guarded);
+  if (motion.path_is_at_rest()) rests_after_gap_ = false;
   runs.advance(motion.path(), lookahead_blocks);
   items_.follow(motion.path().tag);
   tell_when_it_runs_dry();
@@ -118,7 +140,8 @@ motion::FeedControl Channel::feed_control() RT_SAFE {
   motion::FeedControl control;
   control.feed_override = switches.feed_override_in_force();
   control.rapid_override = switches.rapid_override();
-  control.hold = run.holds_path() || items_.probe().ends_path() || refill_.is_on();
+  control.hold =
+      run.holds_path() || items_.probe().ends_path() || refill_.is_on() || rests_after_gap_;
   control.leaves_thread = run.leaves_thread();
   control.law_part = process.form_feed();
   process.apply(control);
@@ -239,6 +262,10 @@ void Channel::set_single_block(Switch to) RT_SAFE {
 bool Channel::is_at_rest() const RT_SAFE {
   return !state().is_running() && !state().is_ending() && motion.is_standing() &&
          !items_.change().is_pending();
+}
+
+bool Channel::looks_for_contact() const RT_SAFE {
+  return items_.probe().is_on() || motion.manual().homing() == ManualMotion::HomingState::running;
 }
 
 bool Channel::is_quiet() const RT_SAFE {

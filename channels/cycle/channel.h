@@ -12,6 +12,7 @@
 #include <memory>
 #include <span>
 
+#include "channels/contract/clock_gap.h"
 #include "channels/cycle/announcements.h"
 #include "channels/cycle/arrival_window.h"
 #include "channels/cycle/cycle_parts.h"
@@ -31,6 +32,7 @@ class Channel : public CycleParts {
   void see_arrivals(const Arrivals& recorded = ArrivalWindow::all) RT_SAFE {
     arrivals_.open(recorded);
   }
+  void see_gap(const ClockGap& gap) RT_SAFE;                          // only where there was one
   void watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE;  // empty: ideal drives
   void sense(NumberedSpan<const SpindleSensors> sensors) RT_SAFE { process.sense(sensors); }
   void advance(std::int64_t cycle) RT_SAFE;
@@ -55,6 +57,8 @@ class Channel : public CycleParts {
   [[nodiscard]] int id() const RT_SAFE { return constants.id; }
   [[nodiscard]] const RunState& state() const RT_SAFE { return run.state(); }
   [[nodiscard]] bool is_quiet() const RT_SAFE;  // nothing under way at all
+  // A probe is awaited, or axes are homed.
+  [[nodiscard]] bool looks_for_contact() const RT_SAFE;
   // M99 in the main program: from its first line, in the same run.
   [[nodiscard]] bool begins_again() const RT_SAFE { return !constants.stops_go_on; }
   [[nodiscard]] bool has_ended(std::uint32_t run) const RT_SAFE {
@@ -84,6 +88,7 @@ class Channel : public CycleParts {
   Announcements announcements_;
   ArrivalWindow arrivals_;
   Refill refill_;
+  bool rests_after_gap_ = false;
 };
 
 }  // namespace stanok::channels

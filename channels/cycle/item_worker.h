@@ -70,6 +70,7 @@ class ItemWorker {
   [[nodiscard]] std::uint64_t riders_before_item() const RT_SAFE;
 
   [[nodiscard]] ProbeWatch& probe() RT_SAFE { return probe_; }
+  [[nodiscard]] const ProbeWatch& probe() const RT_SAFE { return probe_; }
   [[nodiscard]] const LoadDesk& loads() const RT_SAFE { return loads_; }
   [[nodiscard]] const KinematicsChange& change() const RT_SAFE { return change_; }
   [[nodiscard]] const ToolAtWork& tool() const RT_SAFE { return tool_; }

@@ -24,6 +24,7 @@ class ProbeWatch {
   [[nodiscard]] bool begin(const ProbeBegin& probe) RT_SAFE;
   // Once a cycle, before the path goes on.
   void advance(ChannelLink& link) RT_SAFE;
+  [[nodiscard]] bool is_on() const RT_SAFE { return move_.is_on; }
   // What is left of the move is given up: the path comes to rest.
   [[nodiscard]] bool ends_path() const RT_SAFE { return move_.ends_path; }
   // Behind the move.

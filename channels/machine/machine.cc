@@ -149,6 +149,12 @@ struct Machine::Parts {
     }
   }
 
+  void see_gap(const ClockGap& gap) RT_SAFE {
+    if (gap.periods == 0) return;
+    inputs.note({.cycle = cycle, .content = Overrun{gap.periods}});
+    for (const auto& seat : seats) seat->channel.see_gap(gap);
+  }
+
   // Reports of runs and alarms that found no place.
   void tell_lost_reports() RT_SAFE {
     const std::uint64_t lost = reports.lost();
@@ -225,6 +231,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     parts.coordinator->take(event);
   }
   parts.watch.take(parts.cycle, inputs.signals, inputs.sensors);
+  parts.see_gap(inputs.gap);
   for (const auto& seat : parts.seats) {
     seat->channel.watch_drives(inputs.feedback);
     seat->channel.sense(parts.watch.sensors());
@@ -243,6 +250,15 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
   }
   parts.coordinator->show_owners(output);
   parts.changes.note(output);
+}
+
+bool Machine::may_carry_on() const RT_SAFE {
+  bool moves = false;
+  for (const auto& seat : parts_->seats) {
+    if (seat->channel.looks_for_contact()) return false;
+    moves = moves || !seat->channel.motion.is_standing() || seat->channel.spindles.any_turns();
+  }
+  return moves;
 }
 
 bool Machine::is_idle() const RT_SAFE {
@@ -275,9 +291,6 @@ Ring<InputRecord>& Machine::input_records() {
 }
 Ring<InputChange>& Machine::input_changes() {
   return parts_->changes.changes();
-}
-void Machine::record(const InputRecord& input) RT_SAFE {
-  parts_->inputs.note(input);
 }
 std::uint64_t Machine::inputs_lost() const RT_SAFE {
   return parts_->inputs.lost();

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/ring.h"
+#include "channels/contract/clock_gap.h"
 #include "channels/contract/input_change.h"
 #include "channels/contract/input_record.h"
 #include "channels/contract/machine_config.h"
@@ -33,6 +34,7 @@ struct CycleInputs {
   // In the order of the channels, of a run that is repeated; empty: what the preparations have
   // made.
   std::span<const Arrivals> arrivals{};
+  ClockGap gap{};  // before this cycle
 };
 
 struct MachineOptions {
@@ -76,6 +78,11 @@ class Machine {
 
   void cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE;
 
+  // Whether a cycle may be made up for whose time has passed: axes move or spindles turn, and where
+  // they are to go depends on nothing that was not looked at meanwhile. None looks for a contact or
+  // a switch.
+  [[nodiscard]] bool may_carry_on() const RT_SAFE;
+
   // All channels stand with nothing to do: no run, no switch, no request.
   [[nodiscard]] bool is_idle() const RT_SAFE;
 
@@ -90,8 +97,6 @@ class Machine {
   [[nodiscard]] Ring<OperatorReply>& replies();
   [[nodiscard]] Ring<OperatorReply>& stop_replies();  // of events with stop_id_mark
 
-  // An input that the machine does not see, for the record only; the cycle's thread.
-  void record(const InputRecord& input) RT_SAFE;
   // Input records that found no place so far; any thread.
   [[nodiscard]] std::uint64_t inputs_lost() const RT_SAFE;
 

@@ -13,6 +13,7 @@ namespace stanok::config {
 struct MachineSection {
   std::string name;
   int cycle_us = 1000;
+  int catch_up_max = 3;
   double stop_limits = 1.2;
   std::string tables;  // file name; empty: none
   bool tables_write_protected = false;

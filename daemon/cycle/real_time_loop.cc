@@ -24,25 +24,26 @@ void RealTimeLoop::run() {
 void RealTimeLoop::run_once() {
   clock_.sleep_until(due_ns_);
   const std::int64_t woken_ns = clock_.now_ns();
-  work_.cycle();
+  const std::int64_t lateness_ns = woken_ns - due_ns_;
+  work_.cycle(leave_out_passed_wake_ups(woken_ns));
   const std::int64_t done_ns = clock_.now_ns();
-  const CycleTimes times{.latency_ns = woken_ns - due_ns_, .duration_ns = done_ns - woken_ns};
+  const CycleTimes times{.latency_ns = lateness_ns, .duration_ns = done_ns - woken_ns};
   statistics_.latency.add(times.latency_ns);
   statistics_.cycle_time.add(times.duration_ns);
   static_cast<void>(times_.push(times));
   ++statistics_.cycles;
   due_ns_ += period_ns_;
-  skip_passed_wake_ups(done_ns);
   if (statistics_.cycles % cycles_between_statistics_ == 0) published_.write(statistics_);
 }
 
-void RealTimeLoop::skip_passed_wake_ups(std::int64_t now_ns) {
-  if (now_ns <= due_ns_) return;
-  const std::int64_t passed = (now_ns - due_ns_ + period_ns_ - 1) / period_ns_;
+// Their number.
+std::int64_t RealTimeLoop::leave_out_passed_wake_ups(std::int64_t now_ns) {
+  const std::int64_t passed = std::max<std::int64_t>(0, (now_ns - due_ns_) / period_ns_);
+  if (passed == 0) return 0;
   due_ns_ += passed * period_ns_;
   ++statistics_.overruns;
   statistics_.periods_skipped += passed;
-  work_.note_overrun(passed);
+  return passed;
 }
 
 }  // namespace stanok::daemon

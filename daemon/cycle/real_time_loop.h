@@ -1,9 +1,10 @@
 // RealTimeLoop: calls the machine's cycle once per period, at absolute times.
 //
-// Wake-up k is due at start + k periods, whatever happened before; latenesses do not add up. A
-// cycle that is not done when the next one is due is an overrun: the wake-ups that have passed are
-// counted and left out, never made up for in a burst. What a cycle does is the affair of
-// CyclicWork, which allocates, locks and waits for nothing (docs/integrator/realtime.md).
+// Wake-up k is due at start + k periods, whatever happened before; latenesses do not add up. Where
+// the clock wakes it a whole period late or more, or the cycle before took so long, the wake-ups
+// that have passed are left out and counted, and the cycle is told how many they were. What a cycle
+// does is the affair of CyclicWork, which allocates, locks and waits for nothing
+// (docs/integrator/realtime.md).
 #pragma once
 
 #include <atomic>
@@ -24,10 +25,9 @@ class CyclicWork {
   CyclicWork(const CyclicWork&) = delete;
   CyclicWork& operator=(const CyclicWork&) = delete;
 
-  // Read the process image, update all channels, write setpoints.
-  virtual void cycle() RT_SAFE = 0;
-  // `periods` wake-ups were left out before the next cycle.
-  virtual void note_overrun(std::int64_t periods) RT_SAFE = 0;
+  // Read the process image, update all channels, write setpoints. `lost`: periods that have passed
+  // without a cycle before this one.
+  virtual void cycle(std::int64_t lost) RT_SAFE = 0;
 };
 
 struct LoopStatistics {
@@ -61,7 +61,7 @@ class RealTimeLoop {
 
  private:
   void run_once();
-  void skip_passed_wake_ups(std::int64_t now_ns);
+  [[nodiscard]] std::int64_t leave_out_passed_wake_ups(std::int64_t now_ns);
 
   CyclicWork& work_;
   CycleClock& clock_;

@@ -68,9 +68,9 @@ void AssembledMachine::set_real_time_rights(const RealTimeRights& rights) {
   rights_ = rights;
 }
 
-void AssembledMachine::cycle() RT_SAFE {
+void AssembledMachine::cycle(std::int64_t lost) RT_SAFE {
   const EventQueue::Taken taken = events_.take();
-  const channels::CycleOutput& output = assembly_.cycle(taken.events);
+  const channels::CycleOutput& output = assembly_.late_cycle(lost, taken.events);
   newest_.put(output);
   cycles_.store(output.cycle, std::memory_order_release);
   refuse_overtaken(taken.overtaken, replies_);
@@ -80,10 +80,6 @@ std::optional<channels::OperatorReply> AssembledMachine::stop_reply() {
   channels::OperatorReply reply;
   if (!assembly_.machine().stop_replies().pop(reply)) return std::nullopt;
   return reply;
-}
-
-void AssembledMachine::note_overrun(std::int64_t periods) RT_SAFE {
-  machine_.record({.cycle = cycles_, .content = channels::Overrun{periods}});
 }
 
 void AssembledMachine::on_output(const channels::CycleOutput& output) {

@@ -31,8 +31,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   // Any thread.
   void set_real_time_rights(const RealTimeRights& rights);
 
-  void cycle() RT_SAFE override;
-  void note_overrun(std::int64_t periods) RT_SAFE override;
+  void cycle(std::int64_t lost) RT_SAFE override;
 
   void on_output(const channels::CycleOutput& output) override;
 

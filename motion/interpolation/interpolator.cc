@@ -421,6 +421,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.working_axes = 0;
   out.s_speed = motion_.v;
   out.at_gate = stands_at_gate(queue, control);
+  out.is_led_by_spindle = is_synchronous() && motion_.v != 0.0;
   out.has_lost_spindle = is_synchronous() && synchronous_.is_lost();
   if (!cursor_.has_chunk()) return report_standing(control, out);
   const Segment& segment = cursor_.segment(queue);

@@ -59,9 +59,10 @@ struct InterpolatorOutput {
   std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
   bool chain_ended =
       false;  // a chain came to its end in this cycle; `cycle_left` of the cycle is unused
-  double cycle_left = 0.0;        // s
-  SpindleOrder spindle_order;     // of a tap, from this cycle on
-  bool has_lost_spindle = false;  // the axes could not follow; the chain will not come to its end
+  double cycle_left = 0.0;         // s
+  SpindleOrder spindle_order;      // of a tap, from this cycle on
+  bool is_led_by_spindle = false;  // the path moves as a spindle turns
+  bool has_lost_spindle = false;   // the axes could not follow; the chain will not come to its end
 };
 
 class Interpolator {

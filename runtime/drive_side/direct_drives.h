@@ -28,6 +28,9 @@ class DirectDrives final : public DriveSide {
     return exchange_.position_of(axis);
   }
   void write(const channels::CycleOutput& output) RT_SAFE override;
+  void pass(std::int64_t periods) RT_SAFE override {
+    for (int late = 1; late <= periods; ++late) exchange_.pass(late);
+  }
 
   [[nodiscard]] drives::BusStatus status() const override { return bus_.status(); }
   [[nodiscard]] bool reset_drive(std::string_view drive) override {

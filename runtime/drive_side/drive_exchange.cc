@@ -138,6 +138,13 @@ void DriveExchange::write(const channels::CycleOutput& output) RT_SAFE {
   bus_.write({targets_.data(), drives_.size()});
 }
 
+void DriveExchange::pass(int late) RT_SAFE {
+  const double late_s = 1e-6 * machine_.cycle_us * late;
+  for (std::size_t k = 0; k < drives_.size(); ++k)
+    carried_[k] = drives::carried_on(targets_[k], late_s);
+  bus_.write({carried_.data(), drives_.size()});
+}
+
 // The channel that turns a spindle has it; one that has come to rest is switched off.
 void DriveExchange::turn_spindles(const channels::CycleOutput& output) RT_SAFE {
   for (std::size_t k = machine_.axes.size(); k < drives_.size(); ++k) {

@@ -33,6 +33,8 @@ class DriveExchange {
 
   void read(std::span<const channels::OperatorEvent> events) RT_SAFE;
   void write(const channels::CycleOutput& output) RT_SAFE;
+  // A period passes without a cycle, the `late`th in a row: nothing new is told.
+  void pass(int late) RT_SAFE;
 
   [[nodiscard]] std::span<const channels::AxisFeedback> feedback() const RT_SAFE {
     return {feedback_.data(), machine_.axes.size()};
@@ -64,6 +66,7 @@ class DriveExchange {
   NumberedArray<drives::DriveFeedback, drives_of_machine_max> raw_feedback_{};
   NumberedArray<channels::AxisFeedback, axes_of_machine_max> feedback_{};
   NumberedArray<drives::DriveTarget, drives_of_machine_max> targets_{};
+  NumberedArray<drives::DriveTarget, drives_of_machine_max> carried_{};  // on, over lost periods
   std::vector<channels::SpindleSensors> sensors_;
   std::vector<std::optional<std::size_t>> spindle_drives_;
   std::vector<std::optional<std::size_t>> vibration_sensors_;             // of each spindle

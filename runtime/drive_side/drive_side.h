@@ -7,6 +7,7 @@
 // to one, `reset_drive` and `status` to anybody, all else to the real-time cycle.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -56,6 +57,10 @@ class DriveSide {
 
   // Behind the cycle of the machine, and behind that of the process where one is simulated.
   virtual void write(const channels::CycleOutput& output) RT_SAFE = 0;
+
+  // Periods pass in which the drives are told nothing. Those whose time is not that of the cycle
+  // have gone on already.
+  virtual void pass(std::int64_t /*periods*/) RT_SAFE {}
 
   [[nodiscard]] virtual drives::BusStatus status() const { return {}; }
   // Acknowledges the fault of one drive, as a reset of its channel would. False: there is no such

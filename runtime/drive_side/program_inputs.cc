@@ -5,7 +5,8 @@ namespace stanok::runtime {
 const Signals* ProgramInputs::read(DriveSide& drives, const channels::CycleOutput& last,
                                    const Signals* touched) RT_SAFE {
   const auto read = drives.signals();
-  if (!read && contacts_.empty() && touched == nullptr) return nullptr;
+  has_inputs_ = read || !contacts_.empty() || touched != nullptr;
+  if (!has_inputs_) return nullptr;
   inputs_ = options_.outputs_to_inputs ? last.signals : Signals{};
   if (read) inputs_ = *read;
   for (const config::SimulatedContact& contact : contacts_) {

@@ -21,11 +21,14 @@ class ProgramInputs {
   // the output of the cycle before. `touched`: digital inputs that a simulated probe has on.
   [[nodiscard]] const Signals* read(DriveSide& drives, const channels::CycleOutput& last,
                                     const Signals* touched) RT_SAFE;
+  // As they were read last.
+  [[nodiscard]] const Signals* latest() const RT_SAFE { return has_inputs_ ? &inputs_ : nullptr; }
 
  private:
   std::span<const config::SimulatedContact> contacts_;  // none of a real machine
   const channels::MachineOptions& options_;
   Signals inputs_;
+  bool has_inputs_ = false;  // some were read
 };
 
 }  // namespace stanok::runtime

@@ -93,7 +93,7 @@ class DaemonBench {
                  worked;
       }
     }
-    machine_.cycle();
+    machine_.cycle(0);
     channels::Machine& machine = assembly_.machine();
     drain({assembly_.outputs(), machine.events(), machine.input_records(), machine.input_changes()},
           {&machine_});

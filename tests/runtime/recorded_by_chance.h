@@ -45,7 +45,7 @@ class RecordedByChance {
                    .drives = drives,
                    .program_roots = {files_.folder(), source_tree / "programs" / "examples"},
                    .machine = setup_.options,
-                   .output_capacity = 0}),
+                   .output_capacity = 128}),
         log_(assembly_.file(), setup_, path().string(), "test") {}
 
   void program(const std::string& name, const std::string& text) { files_.write(name, text); }
@@ -67,22 +67,22 @@ class RecordedByChance {
 
   void run(int cycles) {
     for (int n = 0; n < cycles; ++n) {
-      prepare_by_chance();
-      const channels::CycleOutput& output = assembly_.cycle(events_);
-      events_.clear();
-      for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
-      hand_inputs_on();
-      log_.observe(output);
+      const channels::CycleOutput& sent = cycle();
+      channels::CycleOutput output;
+      while (assembly_.outputs().pop(output)) {
+        log_.observe(output);
+        if (on_output_) on_output_(output);
+      }
+      if (on_sent_) on_sent_(sent);
       channels::Event event;
       while (assembly_.machine().events().pop(event)) {
         log_.observe(event);
         if (on_event_) on_event_(event);
       }
-      if (on_output_) on_output_(output);
       channels::OperatorReply reply;
       while (assembly_.machine().replies().pop(reply)) {
       }
-      moved_ = moved_ || output.channels[0].path_speed > 1.0;
+      moved_ = moved_ || sent.channels[0].path_speed > 1.0;
     }
   }
 
@@ -95,6 +95,19 @@ class RecordedByChance {
     on_event_ = std::move(events);
   }
 
+  // From now on so many periods of the clock pass without a cycle before each one; `sent` looks at
+  // what the drives are told.
+  void come_late(std::function<std::int64_t()> periods,
+                 std::function<void(const channels::CycleOutput&)> sent) {
+    lost_before_ = std::move(periods);
+    on_sent_ = std::move(sent);
+  }
+  [[nodiscard]] const config::MachineFile& file() const { return assembly_.file(); }
+  // What the drives had told when the last cycle began.
+  [[nodiscard]] std::span<const channels::AxisFeedback> feedback() const {
+    return assembly_.feedback();
+  }
+
   [[nodiscard]] int chance(int count) {
     return static_cast<int>(random_() % static_cast<std::uint64_t>(count));
   }
@@ -105,15 +118,23 @@ class RecordedByChance {
   // Cycles whose outputs do not get to the log; what is asked for takes effect in the first one.
   void lose_outputs(int cycles) {
     for (int n = 0; n < cycles; ++n) {
-      prepare_by_chance();
-      const channels::CycleOutput& output = assembly_.cycle(events_);
-      events_.clear();
-      for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
-      hand_inputs_on();
+      cycle();
+      channels::CycleOutput lost;
+      while (assembly_.outputs().pop(lost)) {
+      }
     }
   }
 
  private:
+  const channels::CycleOutput& cycle() {
+    prepare_by_chance();
+    const std::int64_t lost = lost_before_ ? lost_before_() : 0;
+    const channels::CycleOutput& output = assembly_.late_cycle(lost, events_);
+    events_.clear();
+    for (const auto& read : assembly_.program_reads()) log_.observe(read, output.cycle);
+    hand_inputs_on();
+    return output;
+  }
   void prepare_by_chance() {
     const int channels = static_cast<int>(assembly_.file().machine.channels.size());
     if (cycles_per_step_ > 0) {
@@ -145,6 +166,8 @@ class RecordedByChance {
   int cycles_without_step_ = 0;
   std::function<void(const channels::CycleOutput&)> on_output_;
   std::function<void(const channels::Event&)> on_event_;
+  std::function<std::int64_t()> lost_before_;
+  std::function<void(const channels::CycleOutput&)> on_sent_;
   bool moved_ = false;
 };
 

@@ -30,17 +30,17 @@ class InjectedClock final : public CycleClock {
 class InjectedWork final : public CyclicWork {
  public:
   InjectedWork(InjectedClock& clock, std::vector<std::int64_t> durations)
-      : clock_(clock), durations_(std::move(durations)) {}
+      : told(durations.size()), clock_(clock), durations_(std::move(durations)) {}
 
-  void cycle() RT_SAFE override {
+  void cycle(std::int64_t lost) RT_SAFE override {
+    told[done] = lost;
     clock_.now += durations_[done++];
     if (done == durations_.size()) loop->stop();
   }
-  void note_overrun(std::int64_t periods) RT_SAFE override { noted += periods; }
 
   RealTimeLoop* loop = nullptr;
   std::size_t done = 0;
-  std::int64_t noted = 0;
+  std::vector<std::int64_t> told;  // of each cycle
 
  private:
   InjectedClock& clock_;
@@ -50,7 +50,7 @@ class InjectedWork final : public CyclicWork {
 struct LoopRun {
   std::vector<std::int64_t> asked;  // wake-up times in periods after the start
   LoopStatistics statistics;
-  std::int64_t noted = 0;
+  std::vector<std::int64_t> told;  // of each cycle: the periods lost before it
 };
 
 LoopRun run(
@@ -62,7 +62,7 @@ LoopRun run(
   RealTimeLoop loop(work, clock, period);
   work.loop = &loop;
   loop.run();
-  LoopRun result{.asked = {}, .statistics = loop.statistics(), .noted = work.noted};
+  LoopRun result{.asked = {}, .statistics = loop.statistics(), .told = work.told};
   for (const std::int64_t time : clock.asked) result.asked.push_back((time - start) / period);
   return result;
 }
@@ -84,13 +84,22 @@ TEST(RealTimeLoop, DoesNotAddUpLateness) {
   EXPECT_EQ(result.statistics.overruns, 0);
 }
 
-TEST(RealTimeLoop, CountsAnOverrunAndLeavesOutTheWakeUpsThatHavePassed) {
-  // The second cycle begins at 2 and ends at 5.5: 3, 4 and 5 have passed.
+TEST(RealTimeLoop, CountsAnOverrunAndLeavesOutThePeriodsThatHavePassed) {
+  // The second cycle begins at 2 and ends at 5.5: the third begins then, for 5; 3 and 4 are lost.
   const LoopRun result = run({0, 3 * period + period / 2, 0, 0});
-  EXPECT_EQ(result.asked, (std::vector<std::int64_t>{1, 2, 6, 7}));
+  EXPECT_EQ(result.asked, (std::vector<std::int64_t>{1, 2, 3, 6}));
+  EXPECT_EQ(result.told, (std::vector<std::int64_t>{0, 0, 2, 0}));
   EXPECT_EQ(result.statistics.overruns, 1);
-  EXPECT_EQ(result.statistics.periods_skipped, 3);
-  EXPECT_EQ(result.noted, 3);
+  EXPECT_EQ(result.statistics.periods_skipped, 2);
+}
+
+// The clock wakes it 3.2 periods late: what it computes then is for now, not for what was due.
+TEST(RealTimeLoop, TellsTheCycleHowManyPeriodsTheClockCameLate) {
+  const LoopRun result = run(std::vector<std::int64_t>(4, 1000),
+                             [](std::size_t k) { return k == 1 ? 3 * period + period / 5 : 0; });
+  EXPECT_EQ(result.asked, (std::vector<std::int64_t>{1, 2, 6, 7}));
+  EXPECT_EQ(result.told, (std::vector<std::int64_t>{0, 3, 0, 0}));
+  EXPECT_EQ(result.statistics.latency.max(), 3 * period + period / 5);
 }
 
 TEST(RealTimeLoop, IsNotOverrunByACycleThatTakesExactlyThePeriod) {
@@ -104,6 +113,7 @@ TEST(RealTimeLoop, ChasesNothingAfterALongStop) {
   const LoopRun result = run(std::vector<std::int64_t>(4, 1000),
                              [](std::size_t k) { return k == 1 ? 500 * period : 0; });
   EXPECT_EQ(result.asked, (std::vector<std::int64_t>{1, 2, 503, 504}));
+  EXPECT_EQ(result.told, (std::vector<std::int64_t>{0, 500, 0, 0}));
   EXPECT_EQ(result.statistics.overruns, 1);
   EXPECT_EQ(result.statistics.periods_skipped, 500);
 }

@@ -1,0 +1,20 @@
+// ClockGap: periods of the clock that passed without a cycle, before the one that is told of them.
+#pragma once
+
+#include <cstdint>
+
+namespace stanok::channels {
+
+// What the path does behind a gap. The drives went on meanwhile with their last velocity.
+enum class AfterGap : std::uint8_t {
+  goes_on,
+  rests,    // comes to rest, and goes on by itself
+  is_held,  // until an operator starts it: the drives did not go on for so long
+};
+
+struct ClockGap {
+  std::int64_t periods = 0;  // 0: there was none
+  AfterGap then = AfterGap::goes_on;
+};
+
+}  // namespace stanok::channels
