@@ -15,6 +15,10 @@ constexpr auto end = Reaction::program_end;
 constexpr auto alarm_rows = std::to_array<CatalogueRow>({
     {"A1001", "an operator pressed the emergency stop", Reaction::all_axes_off,
      "find and remove the cause", "reset the channels, switch the machine on and start again"},
+    {"A1002", "axes did not come to rest in time", Reaction::axis_stop,
+     "check stop_time_max of the machine file and what kept the axes in motion; with a path that "
+     "should have ended report it with the flight recorder, which keeps the last minute",
+     "reset the channel, switch the machine on and check the positions of the axes"},
     {"A2001", "an axis did not find its home switch or index pulse", end,
      "check the home switch, the encoder and the direction of the search in [axis.homing]",
      "home the axis again"},

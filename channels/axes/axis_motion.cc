@@ -102,6 +102,11 @@ void AxisMotion::drop_path(motion::PathQueue& queue) RT_SAFE {
   interpolator_.stand_at(axes_M(), frame_);
 }
 
+void AxisMotion::break_off(motion::PathQueue& queue) RT_SAFE {
+  manual_.break_off();
+  stay_where_commanded(queue);
+}
+
 // An encoder counts from elsewhere than the control believed, or the axis was moved while its drive
 // was off: the drive that is about to take it over holds it where it is. While the machine is off
 // the setpoints go with the axes, so that what is shown, kept and touched off is true.

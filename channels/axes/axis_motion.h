@@ -60,6 +60,8 @@ class AxisMotion {
 
   // What is left of the path is given up where it stands.
   void drop_path(motion::PathQueue& queue) RT_SAFE;
+  // What moves stops where it is, without a ramp: the drives have lost their power.
+  void break_off(motion::PathQueue& queue) RT_SAFE;
   void forget_path(motion::PathQueue& queue) RT_SAFE { interpolator_.drop_path(queue); }
   // A drive that does not hold its axis knows better where it stands; only while no program runs.
   void adopt_positions(Power machine) RT_SAFE;

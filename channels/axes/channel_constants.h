@@ -35,7 +35,8 @@ struct ChannelConstants {
   std::int32_t id = 1;
   int axis_count = 0;
   double cycle_s = 0.001;
-  bool stops_go_on = false;  // M0 and M60 continue at once, M99 ends the run (simulate)
+  std::int64_t stop_cycles_max = 0;  // behind which power is removed from axes that still move
+  bool stops_go_on = false;          // M0 and M60 continue at once, M99 ends the run (simulate)
   AxisArray<AxisConstants> axes{};
   AxisArray<int> machine_axis{};  // index among all axes of the machine
   AxisArray<double> start{};

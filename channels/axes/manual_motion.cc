@@ -117,6 +117,12 @@ void ManualMotion::stop() RT_SAFE {
   }
 }
 
+void ManualMotion::break_off() RT_SAFE {
+  stop();
+  line_ = {};
+  for (AxisState& state : states_) state.task = Task::none;
+}
+
 bool ManualMotion::is_active() const RT_SAFE {
   return to_home_ != 0 || line_.is_active() ||
          std::any_of(states_.begin(), states_.end(),

@@ -48,6 +48,8 @@ class ManualMotion {
   void home(lang::AxisSet axes) RT_SAFE;
   // All axes come to rest; what was begun is over.
   void stop() RT_SAFE;
+  // The same at once: nothing is moved any more.
+  void break_off() RT_SAFE;
 
   [[nodiscard]] bool is_active() const RT_SAFE;
   [[nodiscard]] HomingState homing() const RT_SAFE { return homing_state_; }

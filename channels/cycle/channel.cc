@@ -73,7 +73,7 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
 // First to rest along the path, then the preparation is told to forget, then what it had pushed is
 // dropped.
 void Channel::continue_reset() RT_SAFE {
-  if (!motion.is_standing()) return;
+  if (!motion.is_standing()) return remove_power_when_it_lasts();
   if (!run.reset_is_told()) {
     if (link.notices.push(PathReset{items_.stand()})) run.note_reset_told();
     return items_.give_up();
@@ -85,6 +85,14 @@ void Channel::continue_reset() RT_SAFE {
   if (state().is_running()) run.end_run(RunResult::failed, runs.blocks());
   run.finish_reset();
   items_.rest(rest);
+}
+
+// No ramp takes so long: something is wrong with the stop itself.
+void Channel::remove_power_when_it_lasts() RT_SAFE {
+  if (runs.cycle() - run.ends_since() <= constants.stop_cycles_max) return;
+  power(Power::off);
+  motion.break_off(link.path);
+  run.break_off();
 }
 
 void Channel::forget_path() RT_SAFE {

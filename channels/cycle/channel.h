@@ -71,6 +71,7 @@ class Channel : public CycleParts {
  private:
   [[nodiscard]] bool is_at_rest() const RT_SAFE;  // no run, no reset, no switch, no motion
   void continue_reset() RT_SAFE;
+  void remove_power_when_it_lasts() RT_SAFE;
   void forget_path() RT_SAFE;
   void take_step() RT_SAFE;
   void move() RT_SAFE;

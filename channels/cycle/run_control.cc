@@ -87,6 +87,7 @@ void RunControl::begin_reset() RT_SAFE {
   stop_by_hand();
   if (state_.is_ending()) return;
   state_.apply(Change::ending_begins);
+  ends_since_ = runs_.cycle();
   reset_is_told_ = false;
   resets_wanted_.fetch_add(1, std::memory_order_relaxed);
   holds_path_ = true;
@@ -96,6 +97,11 @@ void RunControl::begin_stop() RT_SAFE {
   const bool alarm_stood = alarm_stays_ || state_.shown() == ChannelState::alarm;
   begin_reset();
   alarm_stays_ = alarm_stood;
+}
+
+void RunControl::break_off() RT_SAFE {
+  raise_alarm("A1002", "the axes did not come to rest in time: power is off", motion_.path().tag);
+  alarm_stays_ = true;
 }
 
 void RunControl::finish_reset() RT_SAFE {

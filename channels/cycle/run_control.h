@@ -57,9 +57,13 @@ class RunControl {
       RT_SAFE;
   void begin_reset() RT_SAFE;  // stops along the path, then forgets the run and its alarms
   void begin_stop() RT_SAFE;   // the same; alarms stay
+  // The axes have not come to rest in time and have no power any more (A1002).
+  void break_off() RT_SAFE;
   void power_off_at_rest() RT_SAFE { power_off_wanted_ = true; }
 
-  // Of an end that is under way: whether the preparation has been told; it is over.
+  // Of an end that is under way: since which cycle; whether the preparation has been told; it is
+  // over.
+  [[nodiscard]] std::int64_t ends_since() const RT_SAFE { return ends_since_; }
   [[nodiscard]] bool reset_is_told() const RT_SAFE { return reset_is_told_; }
   void note_reset_told() RT_SAFE { reset_is_told_ = true; }
   void finish_reset() RT_SAFE;
@@ -84,6 +88,7 @@ class RunControl {
   RunState state_;
   Stepper stepper_;
   HoldCause hold_cause_ = HoldCause::none;
+  std::int64_t ends_since_ = 0;
   bool holds_path_ = false;
   bool hold_waits_ = false;
   bool reset_is_told_ = false;

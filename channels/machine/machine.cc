@@ -33,12 +33,31 @@ int channel_axis_of(const MachineConfig& machine, const ChannelConfig& channel,
   return -1;
 }
 
+// Twice what the slowest axis or spindle of the channel takes from its highest speed, and a second.
+std::int64_t stop_cycles_max(const MachineConfig& machine, const ChannelConfig& channel) {
+  double slowest_s = 0.0;
+  for (const int index : channel.axes) {
+    const motion::AxisLimits& limits = machine.axes[index].limits;
+    slowest_s = std::max(slowest_s, limits.velocity_max / limits.acceleration_max +
+                                        limits.acceleration_max / limits.jerk_max);
+  }
+  for (const SpindleConfig& spindle : machine.spindles) {
+    const bool is_its = std::ranges::find(channel.spindles, spindle.id) != channel.spindles.end();
+    if (is_its && spindle.acceleration > 0.0)
+      slowest_s = std::max(slowest_s, spindle.speed_max / spindle.acceleration);
+  }
+  const double bound_s =
+      machine.stop_time_max_s > 0.0 ? machine.stop_time_max_s : 2.0 * slowest_s + 1.0;
+  return std::llround(bound_s * 1e6 / machine.cycle_us);
+}
+
 ChannelConstants channel_constants(const MachineConfig& machine, const ChannelConfig& channel,
                                    const MachineOptions& options) {
   ChannelConstants constants;
   constants.id = channel.id;
   constants.axis_count = static_cast<int>(channel.axes.size());
   constants.cycle_s = machine.cycle_us * 1e-6;
+  constants.stop_cycles_max = stop_cycles_max(machine, channel);
   constants.stops_go_on = options.stops_go_on;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[channel.axes[k]];

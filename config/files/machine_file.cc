@@ -115,6 +115,7 @@ class MachineReader {
     read_table(*top_.machine, machine_keys(), section, scope);
     file_.machine.name = section.name;
     file_.machine.cycle_us = section.cycle_us;
+    file_.machine.stop_time_max_s = section.stop_time_max_s;
     file_.machine.catch_up_max = section.catch_up_max;
     set_stop_limits(section.stop_limits);
     file_.machine.tables_write_protected = section.tables_write_protected;

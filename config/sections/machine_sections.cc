@@ -85,6 +85,10 @@ const Keys<MachineSection>& machine_keys() {
        from(0, 100)},
       {"stop_limits", at<&MachineSection::stop_limits>, optional, "",
        "how many times acceleration_max and jerk_max of its axes a stop may use", from(1.0, 2.0)},
+      {"stop_time_max", at<&MachineSection::stop_time_max_s>, optional, "s",
+       "power is removed from axes that still move so long after a stop; 0: twice what the slowest "
+       "axis or spindle takes, and a second",
+       from(0.0, 3600.0)},
       {"tables", at<&MachineSection::tables>, optional, "",
        "file with tools and offsets at first start"},
       {"tables_write_protected", at<&MachineSection::tables_write_protected>, optional, "",

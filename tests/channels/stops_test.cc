@@ -357,5 +357,75 @@ TEST_F(StopTest, HasItsEffectHoweverManyRequestsWait) {
   for (const OperatorReply& reply : bench.replies()) EXPECT_TRUE(reply.ok) << reply.code.view();
 }
 
+// A bound that no ramp can keep stands for a stop that lasts.
+class StopBound : public ::testing::TestWithParam<OperatorAction> {
+ protected:
+  static constexpr int bound_cycles = 20;
+
+  static MachineConfig machine() {
+    MachineConfig machine = stanok::testing::two_channel_machine();
+    machine.stop_time_max_s = bound_cycles * 1e-3;
+    return machine;
+  }
+  void cycles(int count) {
+    for (int n = 0; n < count; ++n) bench.cycle();
+  }
+  void stop() {
+    const bool is_of_channel =
+        GetParam() == OperatorAction::program_stop || GetParam() == OperatorAction::program_reset;
+    bench.ask(GetParam(), is_of_channel ? 1 : 0);
+    bench.cycle();
+  }
+
+  MachineBench bench{machine()};
+};
+
+TEST_P(StopBound, PowerIsRemovedFromAxesThatStillMove) {
+  bench.program("a.nc", "G1 X200 F12000\nM30\n");
+  bench.run(1, "a.nc");
+  do bench.cycle();
+  while (bench.channel(1).path_speed < 199.0);
+  stop();
+  cycles(bound_cycles - 1);
+  EXPECT_GT(bench.channel(1).path_speed, 10.0);
+  EXPECT_TRUE(bench.channel(1).drives[0].enabled);
+  cycles(3);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(bench.channel(1).drives[axis].enabled) << axis;
+  EXPECT_THAT(bench.alarm_codes(), Contains("A1002"));
+  const double stood = bench.channel(1).axes[0].position;
+  cycles(200);
+  EXPECT_EQ(bench.channel(1).axes[0].position, stood);
+  EXPECT_EQ(bench.channel(1).axes[0].velocity, 0.0);
+  EXPECT_EQ(bench.channel(1).state, ChannelState::alarm);
+  EXPECT_FALSE(bench.channel(1).running);
+  // Behind a reset the machine goes on from there.
+  for (const int channel : {1, 2}) bench.ask(OperatorAction::program_reset, channel);
+  cycles(10);
+  bench.ask(OperatorAction::machine_on, 0);
+  cycles(10);
+  bench.ask(OperatorAction::mdi, 1, "G91 G1 X1 F600");
+  bench.run_to_end();
+  EXPECT_NEAR(bench.channel(1).axes[0].position, stood + 1.0, 1e-9);
+}
+
+TEST_P(StopBound, AJogIsBrokenOffToo) {
+  for (int n = 0; n < 200; ++n) {
+    if (n % 50 == 0) bench.ask(OperatorAction::jog, 1, "X", 200.0);
+    bench.cycle();
+  }
+  ASSERT_GT(bench.channel(1).axes[0].velocity, 190.0);
+  stop();
+  cycles(bound_cycles + 2);
+  EXPECT_FALSE(bench.channel(1).drives[0].enabled);
+  EXPECT_FALSE(bench.channel(1).moving);
+  EXPECT_THAT(bench.alarm_codes(), Contains("A1002"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Stops, StopBound,
+                         ::testing::Values(OperatorAction::program_stop,
+                                           OperatorAction::program_reset,
+                                           OperatorAction::machine_off,
+                                           OperatorAction::machine_estop));
+
 }  // namespace
 }  // namespace stanok::channels
