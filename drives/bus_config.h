@@ -35,7 +35,9 @@ struct AxisDriveConfig {
   double following_error_max = 0.5;  // mm or deg
   // mm/s, deg/s, rev/min; feedback faster than twice this is absurd; 0: any
   double velocity_max = 0.0;
-  double acceleration_max = 0.0;  // mm/s^2, deg/s^2: of a stop out of sight; 0: not known
+  // mm/s^2, deg/s^2; 0: not known.
+  double acceleration_max = 0.0;         // of a stop out of sight
+  double target_acceleration_max = 0.0;  // of what it is told, stops included
 };
 
 enum class BusKind { none, modbus_tcp, modbus_rtu };

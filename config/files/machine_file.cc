@@ -166,6 +166,10 @@ class MachineReader {
     if (top_.drives == nullptr) return;
     file_.bus = read_bus(*top_.drives, Scope{faults_, "[drives]"});
     for (const AxisSection& section : axes) file_.bus.axes.push_back(section.drive);
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      const motion::AxisLimits& limits = file_.machine.axes[k].limits;
+      file_.bus.axes[k].target_acceleration_max = limits.stop_limits * limits.acceleration_max;
+    }
     for (const SpindleSection& section : spindles_) {
       if (section.drive) file_.bus.spindles.push_back(*section.drive);
     }

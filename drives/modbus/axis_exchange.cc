@@ -23,8 +23,8 @@ AxisExchange::AxisExchange(const AxisDriveConfig& config, BusTime poll, BusTime 
       contact_(poll, timeout),
       reference_(config.absolute_encoder ? Encoder::absolute : Encoder::incremental),
       following_(config.following_error_max +
-                     0.5 * config.acceleration_max * seconds(poll) * seconds(poll),
-                 config.acceleration_max) {}
+                     0.5 * config.target_acceleration_max * seconds(poll) * seconds(poll),
+                 config.target_acceleration_max) {}
 
 CommandBlock AxisExchange::command(const DriveTarget& target, TargetAge age) RT_SAFE {
   reference_.take(target);

@@ -16,7 +16,8 @@ drives::AxisDriveConfig default_drive(const channels::AxisConfig& axis, int plac
           .absolute_encoder = axis.homing.order == 0,
           .following_error_max = axis.following_error_max,
           .velocity_max = axis.limits.velocity_max,
-          .acceleration_max = axis.limits.acceleration_max};
+          .acceleration_max = axis.limits.acceleration_max,
+          .target_acceleration_max = axis.limits.stop_limits * axis.limits.acceleration_max};
 }
 
 VelocityLoopConfig velocity_loop(const config::SimulationConfig& simulation) {

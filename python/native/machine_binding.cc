@@ -38,7 +38,8 @@ ordered_json axis_json(const channels::AxisConfig& axis) {
           {"position_max", axis.limits.position_max},
           {"velocity_max", axis.limits.velocity_max},
           {"acceleration_max", axis.limits.acceleration_max},
-          {"jerk_max", axis.limits.jerk_max}};
+          {"jerk_max", axis.limits.jerk_max},
+          {"stop_limits", axis.limits.stop_limits}};
 }
 
 std::string description(const config::MachineFile& file) {

@@ -16,7 +16,10 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis of the machine. Lengths mm, angles deg, times s; ``None``: no limit."""
+    """An axis of the machine. Lengths mm, angles deg, times s; ``None``: no limit.
+
+    ``stop_limits``: how many times ``acceleration_max`` and ``jerk_max`` a stop may use.
+    """
 
     name: str
     unit: str
@@ -25,6 +28,7 @@ class Axis:
     velocity_max: float | None
     acceleration_max: float | None
     jerk_max: float | None
+    stop_limits: float
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/files/machine_file.h"
+#include "config/files/machine_remarks.h"
 #include "tests/config/temporary_files.h"
 
 namespace stanok::config {
@@ -50,6 +51,20 @@ class DriveSectionTest : public ::testing::Test {
 
   TemporaryFiles files_;
 };
+
+// a T^2 / 2 = 1.2 x 1000 mm/s2 x (50 ms)^2 / 2 = 1.5 mm.
+TEST_F(DriveSectionTest, APollThatIsTooRareForAStopIsRemarkedOn) {
+  const std::vector<std::string> remarks = remarks_on(read("following_error_max = 1.4\n"));
+  EXPECT_TRUE(remarks.empty()) << "10 ms";
+  MachineFile file = read("following_error_max = 1.4\n");
+  EXPECT_EQ(file.bus.axes[0].target_acceleration_max, 1200.0);
+  file.bus.poll_ms = 50;
+  ASSERT_EQ(remarks_on(file).size(), 1U);
+  EXPECT_THAT(remarks_on(file)[0], HasSubstr("axis X: a stop brakes at 1200 /s2"));
+  EXPECT_THAT(remarks_on(file)[0], HasSubstr("50 ms is 1.5 off"));
+  file.bus.axes[0].following_error_max = 1.6;
+  EXPECT_TRUE(remarks_on(file).empty());
+}
 
 TEST_F(DriveSectionTest, AMapHasWhatItNamesAndNothingElse) {
   const MachineFile file = read(R"([axis.drive]

@@ -191,6 +191,8 @@ TEST_F(FullFile, AxisGetsItsLimitsHomingControllerAndDrive) {
   EXPECT_EQ(axis.brake_s, 0.2);
   EXPECT_EQ(axis.power_s, 0.3);
   const drives::AxisDriveConfig& drive = file_.bus.axes[0];
+  EXPECT_EQ(drive.acceleration_max, 4000.0);
+  EXPECT_EQ(drive.target_acceleration_max, 1.25 * 4000.0);
   EXPECT_EQ(drive.axis, "X2");
   EXPECT_EQ(drive.unit, 17);
   EXPECT_EQ(drive.kind, drives::DriveKind::velocity);

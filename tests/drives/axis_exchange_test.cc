@@ -23,8 +23,11 @@ constexpr BusTime drive_timeout = milliseconds{250};
 class AxisExchangeTest : public ::testing::Test {
  protected:
   static AxisDriveConfig config() {
-    return {
-        .axis = "X", .following_error_max = 0.5, .velocity_max = 400.0, .acceleration_max = 1000.0};
+    return {.axis = "X",
+            .following_error_max = 0.5,
+            .velocity_max = 400.0,
+            .acceleration_max = 1000.0,
+            .target_acceleration_max = 1000.0};
   }
 
   // One good exchange; the drive is in `state` at `position_mm`.

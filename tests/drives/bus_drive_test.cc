@@ -19,7 +19,11 @@ constexpr BusTime poll = milliseconds{10};
 constexpr BusTime timeout = milliseconds{250};
 
 AxisDriveConfig x_drive() {
-  return {.axis = "X", .following_error_max = 0.5, .velocity_max = 400.0, .acceleration_max = 1e3};
+  return {.axis = "X",
+          .following_error_max = 0.5,
+          .velocity_max = 400.0,
+          .acceleration_max = 1e3,
+          .target_acceleration_max = 1e3};
 }
 
 // The drive is switched off, and knows its position.

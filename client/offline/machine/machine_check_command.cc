@@ -6,11 +6,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
 #include "client/terminal/terminal.h"
 #include "config/files/machine_file.h"
+#include "config/files/machine_remarks.h"
 
 namespace stanok::client {
 namespace {
@@ -23,12 +25,14 @@ struct MachineCheckOptions {
 // A machine file that can be read is summed up; ConfigError shows every fault of one that cannot.
 int check_machine(const MachineCheckOptions& options) {
   const auto file = config::read_machine_file(options.path);
+  const std::vector<std::string> remarks = config::remarks_on(file);
   if (options.json) {
     nlohmann::ordered_json json;
     json["ok"] = true;
     json["machine"] = file.machine.name;
     json["axes"] = file.machine.axes.size();
     json["channels"] = file.machine.channels.size();
+    json["warnings"] = remarks;
     write_json(json);
     return 0;
   }
@@ -36,6 +40,8 @@ int check_machine(const MachineCheckOptions& options) {
                          file.machine.axes.size(), file.machine.channels.size(),
                          file.machine.cycle_us,
                          Terminal(STDOUT_FILENO).coloured("no errors", Colour::green)));
+  for (const std::string& remark : remarks)
+    write_message(fmt::format("{}: warning: {}\n", options.path, remark));
   return 0;
 }
 
