@@ -1,75 +1,67 @@
-// RecordedRun: all that a recorded run depended on, out of its log, in the order of the cycles.
+// What a recorded run depended on, out of its log: the machine it began with, and its inputs.
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <optional>
+#include <stanok_messages/setpoint_t.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "channels/contract/operator_event.h"
+#include "channels/contract/input_record.h"
 #include "channels/contract/output.h"
 #include "config/files/machine_file.h"
-#include "lang/contract/environment.h"
-#include "recording/format/encode_inputs.h"
 #include "recording/read/log_contents.h"
+#include "recording/stream/message_stream.h"
+#include "runtime/recorded_files.h"
 #include "runtime/run_setup.h"
 
 namespace stanok::runtime {
 
-// The programs of the log, in the order in which they were asked for.
-class RecordedFiles final : public lang::Files {
- public:
-  void add(const program_read_t& read);
-  void add_text(std::uint64_t hash, std::string text) { texts_[hash] = std::move(text); }
-
-  // What the same question found in the recorded run, the first time, the second time...
-  [[nodiscard]] Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> read(
-      std::string_view name, std::string_view from) const override;
-
- private:
-  struct Answer {
-    bool found = false;
-    std::uint64_t hash = 0;
-    std::string path;
-  };
-  std::map<std::uint64_t, std::string> texts_;
-  mutable std::map<std::pair<std::string, std::string>, std::deque<Answer>> answers_;
-};
-
-struct RecordedRun {
-  struct Feedback {
-    std::int64_t cycle = 0;
-    int channel = 0;
-    int axis = 0;
-    channels::AxisFeedback value;
-  };
-  struct Arrival {
-    std::int64_t cycle = 0;
-    int channel = 0;
-    channels::Arrivals value;
-  };
-
-  recording::LogContents contents;
+struct RunBeginning {
   config::MachineFile machine;
   RunSetup setup;
-  RecordedFiles files;
-  std::vector<channels::InputRecord> inputs;  // ascending cycles, like the others
-  std::vector<Feedback> feedback;
-  std::vector<Arrival> arrivals;
-  std::optional<std::int64_t> first_cycle;  // with a setpoint
-  std::optional<std::int64_t> lost_cycle;   // from this one on inputs are missing
 };
 
-// Where the part of a log ends whose bytes are as they were written; of one without checks its end.
-[[nodiscard]] std::int64_t usable_bytes(const recording::LogContents& contents);
+struct RecordedFeedback {
+  std::int64_t cycle = 0;
+  int channel = 0;
+  int axis = 0;
+  channels::AxisFeedback value;
+};
 
-// Reads the usable bytes. Throws std::runtime_error when the log cannot be read, or lacks what a
-// run begins with.
+struct RecordedArrival {
+  std::int64_t cycle = 0;
+  int channel = 0;
+  channels::Arrivals value;
+};
+
+// Of the machine or the setup of a run.
+struct BeginningText {
+  recording::TextKind kind;
+  std::string name;
+  std::string text;
+};
+
+// A part of a log. All inputs that led to its setpoints are in it, or in those before.
+struct LogPart {
+  std::vector<BeginningText> texts;
+  std::vector<channels::InputRecord> inputs;
+  std::vector<RecordedFeedback> feedback;
+  std::vector<RecordedArrival> arrivals;
+  std::vector<setpoint_t> setpoints;
+  std::int64_t bytes_read = 0;  // of the file, up to its end
+  bool is_checked = false;      // every byte of it by check sums
+};
+
+// A recording without its setpoints, for whoever reads those himself.
+struct RecordedRun {
+  recording::LogContents contents;
+  RunBeginning beginning;
+  std::shared_ptr<const RecordedFiles> files;
+};
+
+// Throws std::runtime_error when the log cannot be read, or lacks what a run begins with.
 [[nodiscard]] std::unique_ptr<RecordedRun> read_run(const std::filesystem::path& log);
 
 }  // namespace stanok::runtime

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <concepts>
+#include <deque>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -15,7 +17,7 @@
 #include "recording/format/decode.h"
 #include "runtime/clock_gaps.h"
 #include "runtime/force_controls.h"
-#include "runtime/recorded_run.h"
+#include "runtime/run_stream.h"
 
 namespace stanok::runtime {
 namespace {
@@ -38,80 +40,120 @@ bool same_bits(double one, double other) {
   return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
 }
 
-// Compares one setpoint, field by field.
+// Of one field of a setpoint; `axis` below 0: it has one value.
+struct FieldDifference {
+  const char* field = "";
+  int axis = -1;
+  double recorded = 0.0;
+  double repeated = 0.0;
+  std::uint64_t units_in_last_place = 0;
+};
+
+// Compares one setpoint, field by field. Axes are numbered: their names come later.
 class Comparison {
  public:
-  Comparison(const setpoint_t& recorded, const setpoint_t& repeated,
-             std::vector<recording::AxisDescription> axes)
-      : recorded_(recorded), repeated_(repeated), axes_(std::move(axes)) {}
+  Comparison(const setpoint_t& recorded, const setpoint_t& repeated, std::size_t axes)
+      : recorded_(recorded), repeated_(repeated), axes_(axes) {}
 
-  [[nodiscard]] std::optional<SetpointDifference> first() {
+  [[nodiscard]] std::optional<FieldDifference> first() {
     axes("position", recorded_.position, repeated_.position);
     axes("velocity", recorded_.velocity, repeated_.velocity);
     axes("acceleration", recorded_.acceleration, repeated_.acceleration);
     axes("jerk", recorded_.jerk, repeated_.jerk);
     axes("programmed position", recorded_.tip_position, repeated_.tip_position);
     axes("programmed velocity", recorded_.tip_velocity, repeated_.tip_velocity);
-    codes("position code", recorded_.position_code, repeated_.position_code);
-    codes("velocity code", recorded_.velocity_code, repeated_.velocity_code);
-    real("path speed", recorded_.path_speed, repeated_.path_speed);
-    real("feed", recorded_.feed_commanded, repeated_.feed_commanded);
-    real("feed override", recorded_.feed_override, repeated_.feed_override);
-    whole("state", recorded_.state, repeated_.state);
-    whole("flags", recorded_.flags, repeated_.flags);
-    whole("run", recorded_.run, repeated_.run);
-    whole("line", recorded_.line, repeated_.line);
-    whole("block", recorded_.block, repeated_.block);
-    whole("scheme", recorded_.scheme, repeated_.scheme);
-    whole("drives on", recorded_.drives_enabled, repeated_.drives_enabled);
-    whole("brakes", recorded_.brakes_closed, repeated_.brakes_closed);
+    axes("position code", recorded_.position_code, repeated_.position_code);
+    axes("velocity code", recorded_.velocity_code, repeated_.velocity_code);
+    one("path speed", recorded_.path_speed, repeated_.path_speed);
+    one("feed", recorded_.feed_commanded, repeated_.feed_commanded);
+    one("feed override", recorded_.feed_override, repeated_.feed_override);
+    one("state", recorded_.state, repeated_.state);
+    one("flags", recorded_.flags, repeated_.flags);
+    one("run", recorded_.run, repeated_.run);
+    one("line", recorded_.line, repeated_.line);
+    one("block", recorded_.block, repeated_.block);
+    one("scheme", recorded_.scheme, repeated_.scheme);
+    one("drives on", recorded_.drives_enabled, repeated_.drives_enabled);
+    one("brakes", recorded_.brakes_closed, repeated_.brakes_closed);
     return difference_;
   }
 
  private:
-  void real(const std::string& field, double recorded, double repeated) {
-    if (difference_ || same_bits(recorded, repeated)) return;
-    note(field, recorded, repeated);
-    difference_->units_in_last_place = units_between(recorded, repeated);
+  static bool is_same(std::integral auto recorded, std::integral auto repeated) {
+    return recorded == repeated;
   }
-  void whole(const std::string& field, std::int64_t recorded, std::int64_t repeated) {
-    if (difference_ || recorded == repeated) return;
-    note(field, static_cast<double>(recorded), static_cast<double>(repeated));
+  static bool is_same(double recorded, double repeated) { return same_bits(recorded, repeated); }
+  static std::uint64_t units(std::integral auto /*recorded*/, std::integral auto /*repeated*/) {
+    return 0;
+  }
+  static std::uint64_t units(double recorded, double repeated) {
+    return units_between(recorded, repeated);
+  }
+
+  template <class Value>
+  void one(const char* field, Value recorded, Value repeated, int axis = -1) {
+    if (difference_ || is_same(recorded, repeated)) return;
+    difference_ = FieldDifference{field, axis, static_cast<double>(recorded),
+                                  static_cast<double>(repeated), units(recorded, repeated)};
   }
   template <class Values>
-  void axes(const std::string& field, const Values& recorded, const Values& repeated) {
-    for (std::size_t k = 0; k < axes_.size(); ++k)
-      real(field + " of " + axes_[k].name, recorded[k], repeated[k]);
-  }
-  template <class Values>
-  void codes(const std::string& field, const Values& recorded, const Values& repeated) {
-    for (std::size_t k = 0; k < axes_.size(); ++k)
-      whole(field + " of " + axes_[k].name, recorded[k], repeated[k]);
-  }
-  void note(const std::string& field, double recorded, double repeated) {
-    difference_ = SetpointDifference{recorded_.cycle, recorded_.channel, field, recorded, repeated};
+  void axes(const char* field, const Values& recorded, const Values& repeated) {
+    for (std::size_t k = 0; k < axes_; ++k)
+      one(field, recorded[k], repeated[k], static_cast<int>(k));
   }
 
   const setpoint_t& recorded_;
   const setpoint_t& repeated_;
-  std::vector<recording::AxisDescription> axes_;
-  std::optional<SetpointDifference> difference_;
+  std::size_t axes_;
+  std::optional<FieldDifference> difference_;
+};
+
+// Records in the order of their cycles, those of one cycle in the order in which they came.
+template <class Record>
+class Pending {
+ public:
+  void add(std::vector<Record>& records) {
+    for (Record& record : records) {
+      const bool is_last = records_.empty() || records_.back().cycle <= record.cycle;
+      const auto later = is_last
+                             ? records_.end()
+                             : std::ranges::upper_bound(records_, record.cycle, {}, &Record::cycle);
+      records_.insert(later, std::move(record));
+    }
+    records.clear();
+  }
+  // Calls `take` with each up to this cycle, which are forgotten then.
+  template <class Take>
+  void take_up_to(std::int64_t cycle, const Take& take) {
+    for (; !records_.empty() && records_.front().cycle <= cycle; records_.pop_front())
+      take(records_.front());
+  }
+
+ private:
+  std::deque<Record> records_;
 };
 
 // The machine of the log, given the inputs of each cycle.
 class Repetition {
  public:
-  explicit Repetition(RecordedRun& run)
-      : run_(run),
-        config_(run.machine.machine),
-        force_controls_(run.machine),
-        machine_(config_, run.files, force_controls_.given_to(run.setup.options)),
+  // Both outlive the repetition.
+  Repetition(RunBeginning& beginning, const RecordedFiles& files)
+      : config_(beginning.machine.machine),
+        force_controls_(beginning.machine),
+        machine_(config_, files, force_controls_.given_to(beginning.setup.options)),
         feedback_(config_.axes.size()),
         sensors_(config_.spindles.size()),
-        arrivals_(config_.channels.size()),
-        gaps_(config_) {
-    for (const auto& [channel, scheme] : run.setup.schemes)
+        arrivals_(config_.channels.size()) {
+    for (const auto& [channel, scheme] : beginning.setup.schemes)
       static_cast<void>(machine_.select_scheme_at_start(channel, scheme));
+  }
+
+  // What the next cycles are given.
+  void add(LogPart& part) {
+    has_feedback_ = has_feedback_ || !part.feedback.empty();
+    pending_inputs_.add(part.inputs);
+    pending_feedback_.add(part.feedback);
+    pending_arrivals_.add(part.arrivals);
   }
 
   // The next cycle. What it needs of the program has been prepared: at least as far ahead as in the
@@ -119,22 +161,14 @@ class Repetition {
   const channels::CycleOutput& cycle() {
     const std::int64_t cycle = output_.cycle + 1;
     events_.clear();
-    for (; next_input_ < run_.inputs.size() && run_.inputs[next_input_].cycle <= cycle;
-         ++next_input_) {
-      take(run_.inputs[next_input_]);
-    }
-    for (; next_feedback_ < run_.feedback.size() && run_.feedback[next_feedback_].cycle <= cycle;
-         ++next_feedback_) {
-      take(run_.feedback[next_feedback_]);
-    }
-    for (; next_arrival_ < run_.arrivals.size() && run_.arrivals[next_arrival_].cycle <= cycle;
-         ++next_arrival_) {
-      const RecordedRun::Arrival& arrival = run_.arrivals[next_arrival_];
+    pending_inputs_.take_up_to(cycle, [&](const channels::InputRecord& input) { take(input); });
+    pending_feedback_.take_up_to(cycle, [&](const RecordedFeedback& told) { take(told); });
+    pending_arrivals_.take_up_to(cycle, [&](const RecordedArrival& arrival) {
       if (const int index = index_of(arrival.channel); index >= 0) arrivals_[index] = arrival.value;
-    }
+    });
     prepare();
     channels::CycleInputs inputs{.events = events_, .feedback = {}, .sensors = sensors_};
-    if (!run_.feedback.empty()) inputs.feedback = feedback_;
+    if (has_feedback_) inputs.feedback = feedback_;
     inputs.signals = &signals_;
     inputs.arrivals = arrivals_;
     inputs.gap = std::exchange(gap_, {});
@@ -203,7 +237,7 @@ class Repetition {
     refuse(input);
   }
   void take(const channels::InputRecord& /*input*/, const channels::Overrun& overrun) {
-    gap_ = gaps_.gap_of(overrun.periods);
+    gap_ = ClockGaps(config_).gap_of(overrun.periods);
   }
   // It changed nothing in the cycle.
   void take(const channels::InputRecord& /*input*/, const channels::LostInputs& /*lost*/) {}
@@ -213,7 +247,7 @@ class Repetition {
                              " that its machine does not have");
   }
 
-  void take(const RecordedRun::Feedback& feedback) {
+  void take(const RecordedFeedback& feedback) {
     const int index = index_of(feedback.channel);
     if (index < 0) return;
     const std::vector<int>& axes = config_.channels[index].axes;
@@ -235,7 +269,6 @@ class Repetition {
     }
   }
 
-  RecordedRun& run_;
   const channels::MachineConfig& config_;
   ForceControls force_controls_;
   channels::Machine machine_;
@@ -244,13 +277,13 @@ class Repetition {
   std::vector<channels::SpindleSensors> sensors_;
   NumberedList<channels::Arrivals> arrivals_;
   Signals signals_;
-  ClockGaps gaps_;
   channels::ClockGap gap_;  // before the next cycle
   channels::CycleOutput output_;
   std::uint64_t last_id_ = 0;
-  std::size_t next_input_ = 0;
-  std::size_t next_feedback_ = 0;
-  std::size_t next_arrival_ = 0;
+  Pending<channels::InputRecord> pending_inputs_;
+  Pending<RecordedFeedback> pending_feedback_;
+  Pending<RecordedArrival> pending_arrivals_;
+  bool has_feedback_ = false;
 };
 
 // Whether the log is as it was written, and whole.
@@ -275,8 +308,8 @@ void remark_on_bytes(const recording::LogContents& contents, ReplayResult& resul
     result.remarks.emplace_back("the recording goes on in its next file, which is not verified");
 }
 
-void remark_on(const RecordedRun& run, ReplayResult& result) {
-  const auto& description = run.contents.description;
+void remark_on(const recording::LogContents& contents, ReplayResult& result) {
+  const auto& description = contents.description;
   if (description && description->version != protocol::version) {
     result.remarks.push_back("recorded by stanok " + description->version + ", and this is " +
                              std::string(protocol::version) +
@@ -289,7 +322,7 @@ void remark_on(const RecordedRun& run, ReplayResult& result) {
   }
   if (description && description->libm != recording::this_libm())
     result.remarks.push_back("recorded with another C library: " + description->libm);
-  remark_on_bytes(run.contents, result);
+  remark_on_bytes(contents, result);
 }
 
 void remark_on_gaps(ReplayResult& result) {
@@ -305,49 +338,59 @@ void remark_on_gaps(ReplayResult& result) {
 }
 
 // When all that can be has been compared.
-void remark_on_end(const RecordedRun& run, ReplayResult& result) {
+void remark_on_end(const recording::LogContents& contents, ReplayResult& result) {
   const std::string sound =
       result.lost_cycle || result.difference
           ? std::string()
           : ", everything up to cycle " + std::to_string(result.cycles) + " is sound";
-  if (result.is_cut && run.contents.coverage.has_checks) {
+  if (result.is_cut && contents.coverage.has_checks) {
     result.remarks.push_back(
         "the log ends without its trailer: the recording was cut (power failure, kill, full disk) "
         "or still goes on" +
         sound);
   } else if (result.is_cut) {
     result.remarks.push_back("the log is cut at byte " +
-                             std::to_string(run.contents.damage.back().offset) + sound);
+                             std::to_string(contents.damage.back().offset) + sound);
   }
 }
 
 // The setpoints of the log, one by one, each against that of its cycle.
 class Verification {
  public:
-  Verification(RecordedRun& run, const std::function<void(double)>& progress)
-      : run_(run), progress_(progress), repetition_(run) {}
+  Verification(RunStream& stream, const std::function<void(double)>& progress,
+               std::uintmax_t bytes_of_log)
+      : stream_(stream),
+        progress_(progress),
+        bytes_of_log_(std::max<double>(1.0, static_cast<double>(bytes_of_log))),
+        beginning_(stream.beginning()),
+        files_(stream.files()),
+        repetition_(beginning_, *files_) {}
 
-  void verify(const std::filesystem::path& log, ReplayResult& result) {
-    auto reader = recording::LogReader::open(log);
-    if (!reader) throw std::runtime_error(reader.error().text);
-    const std::int64_t end = usable_bytes(run_.contents);
-    for (auto event = reader->next(); event && event->offset < end; event = reader->next()) {
-      if (recording::topic_of(event->channel) != recording::name_of(recording::Topic::setpoint))
-        continue;
-      const auto recorded = recording::decode<setpoint_t>(event->bytes);
-      if (!recorded) continue;
-      if (run_.lost_cycle && recorded->cycle >= *run_.lost_cycle)
-        return end_at_loss("inputs", *run_.lost_cycle, result);
-      if (recorded->cycle > cycle_ + 1) {
-        // With the setpoints stanok 0.1.0 lost inputs, too.
-        if (!result.has_checks) return end_at_loss("setpoints", cycle_ + 1, result);
-        result.gaps.push_back({cycle_ + 1, recorded->cycle - 1});
+  void verify(ReplayResult& result) {
+    while (auto part = stream_.next()) {
+      for (const channels::InputRecord& input : part->inputs) note_loss(input);
+      repetition_.add(*part);
+      for (const setpoint_t& recorded : part->setpoints) {
+        if (!verify(recorded, *part, result)) return;
       }
-      while (recorded->cycle > cycle_) advance(result, reader->bytes_read());
-      compare(*recorded, result);
-      if (result.difference) return;
     }
-    if (run_.lost_cycle) end_at_loss("inputs", *run_.lost_cycle, result);
+    if (lost_cycle_) end_at_loss("inputs", *lost_cycle_, result);
+  }
+
+  // The first difference, once the log tells how its axes are called.
+  [[nodiscard]] std::optional<SetpointDifference> difference(
+      const recording::LogContents& contents) const {
+    if (!difference_) return std::nullopt;
+    std::string field = difference_->field;
+    if (difference_->axis >= 0) {
+      const std::size_t axis = checked_size(difference_->axis);
+      field +=
+          " of " +
+          recording::axes_of(contents, different_.channel, axis_count_of(different_)).at(axis).name;
+    }
+    return SetpointDifference{different_.cycle,      different_.channel,
+                              std::move(field),      difference_->recorded,
+                              difference_->repeated, difference_->units_in_last_place};
   }
 
  private:
@@ -357,50 +400,85 @@ class Verification {
                              " on, the recorder fell behind; nothing from there on can be "
                              "repeated");
   }
+  static int axis_count_of(const setpoint_t& setpoint) {
+    return std::clamp(setpoint.axis_count, 0, static_cast<std::int32_t>(motion::axes_max));
+  }
+
+  void note_loss(const channels::InputRecord& input) {
+    if (std::holds_alternative<channels::LostInputs>(input.content))
+      lost_cycle_ = std::min(lost_cycle_.value_or(input.cycle), input.cycle);
+  }
+
+  // False: nothing behind it can be compared.
+  bool verify(const setpoint_t& recorded, const LogPart& part, ReplayResult& result) {
+    if (lost_cycle_ && recorded.cycle >= *lost_cycle_) {
+      end_at_loss("inputs", *lost_cycle_, result);
+      return false;
+    }
+    if (recorded.cycle > cycle_ + 1) {
+      // With the setpoints stanok 0.1.0 lost inputs, too.
+      if (!part.is_checked) {
+        end_at_loss("setpoints", cycle_ + 1, result);
+        return false;
+      }
+      result.gaps.push_back({cycle_ + 1, recorded.cycle - 1});
+    }
+    while (recorded.cycle > cycle_) advance(result, part.bytes_read);
+    compare(recorded, result);
+    return !difference_;
+  }
 
   void advance(ReplayResult& result, std::int64_t bytes) {
     output_ = &repetition_.cycle();
     cycle_ = output_->cycle;
     ++result.cycles;
-    if (progress_ && cycle_ % progress_interval == 0) {
-      progress_(static_cast<double>(bytes) /
-                static_cast<double>(std::max<std::int64_t>(1, run_.contents.bytes)));
-    }
+    if (progress_ && cycle_ % progress_interval == 0)
+      progress_(static_cast<double>(bytes) / bytes_of_log_);
   }
 
-  void compare(const setpoint_t& recorded, ReplayResult& result) const {
-    const channels::ChannelOutput* channel = output_->of_channel(recorded.channel);
+  void compare(const setpoint_t& recorded, ReplayResult& result) {
+    const channels::ChannelOutput* channel =
+        output_ == nullptr ? nullptr : output_->of_channel(recorded.channel);
     if (channel == nullptr)
       throw std::runtime_error(
           "the log has setpoints of a channel that its "
           "machine does not have");
     const setpoint_t repeated = recording::to_setpoint(
         *channel, {.utime = recorded.utime, .cycle = recorded.cycle, .seq = recorded.seq});
-    result.difference =
-        Comparison(recorded, repeated,
-                   recording::axes_of(run_.contents, recorded.channel,
-                                      std::clamp(recorded.axis_count, 0,
-                                                 static_cast<std::int32_t>(motion::axes_max))))
-            .first();
+    difference_ = Comparison(recorded, repeated, checked_size(axis_count_of(recorded))).first();
+    if (difference_) different_ = recorded;
     ++result.setpoints;
   }
 
-  RecordedRun& run_;
+  RunStream& stream_;
   const std::function<void(double)>& progress_;
+  double bytes_of_log_;
+  RunBeginning beginning_;
+  std::shared_ptr<const RecordedFiles> files_;
   Repetition repetition_;
   const channels::CycleOutput* output_ = nullptr;
   std::int64_t cycle_ = 0;
+  std::optional<std::int64_t> lost_cycle_;
+  std::optional<FieldDifference> difference_;
+  setpoint_t different_{};
 };
 
 }  // namespace
 
 ReplayResult replay(const std::filesystem::path& log, const std::function<void(double)>& progress) {
-  const auto run = read_run(log);
-  ReplayResult result;
-  remark_on(*run, result);
-  Verification(*run, progress).verify(log, result);
+  RunStream stream(log);
+  std::error_code unknown_size;
+  Verification verification(stream, progress, std::filesystem::file_size(log, unknown_size));
+  ReplayResult found;
+  verification.verify(found);
+  const recording::LogContents contents = stream.contents();
+  found.difference = verification.difference(contents);
+  ReplayResult result = found;
+  result.remarks.clear();
+  remark_on(contents, result);
+  std::ranges::move(found.remarks, std::back_inserter(result.remarks));
   remark_on_gaps(result);
-  remark_on_end(*run, result);
+  remark_on_end(contents, result);
   return result;
 }
 

@@ -46,6 +46,10 @@ class CheckReading {
   // Events in the order of the file.
   void take(const LogEvent& event);
   [[nodiscard]] LogCoverage coverage(std::int64_t bytes_of_file) const;
+  // So far: up to where all is as it was written; whether there was a check.
+  [[nodiscard]] std::int64_t sound_bytes() const { return coverage_.sound_bytes; }
+  [[nodiscard]] bool has_checks() const { return coverage_.has_checks; }
+  [[nodiscard]] bool has_faults() const { return !coverage_.faults.empty(); }
 
  private:
   void compare(const LogEvent& event);

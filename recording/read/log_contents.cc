@@ -83,12 +83,29 @@ std::int64_t sum_of(std::int64_t count, std::uint64_t more) {
                                                          : count + static_cast<std::int64_t>(more);
 }
 
+// Faults of what could be read but for its check sum; what could not be read is told already.
+void add_faults(LogContents& contents) {
+  const std::vector<Damage> read = contents.damage;
+  for (const Damage& fault : contents.coverage.faults) {
+    const bool is_told = std::ranges::any_of(read, [&](const Damage& damage) {
+      return damage.offset < fault.offset + fault.bytes &&
+             fault.offset < damage.offset + damage.bytes;
+    });
+    if (!is_told) contents.damage.push_back(fault);
+  }
+  std::ranges::sort(contents.damage, {}, &Damage::offset);
+}
+
+}  // namespace
+
 // Counts events; keeps the running number that each channel must go on with.
-class Count {
+class ContentsReading::Count {
  public:
   explicit Count(LogContents& contents) : contents_(contents) {}
 
-  void add(const LogEvent& event) {
+  // The setpoint that it is; nullptr: it is none.
+  const setpoint_t* add(const LogEvent& event) {
+    setpoint_.reset();
     if (contents_.events++ == 0) contents_.utime_first = event.utime;
     contents_.utime_last = event.utime;
     auto [entry, is_new] = contents_.channels.try_emplace(std::string(event.channel));
@@ -98,12 +115,14 @@ class Count {
     ++channel.messages;
     channel.bytes += static_cast<std::int64_t>(event.bytes.size());
     if (const MessageType* type = type_on(event.channel)) add_ours(event, *type, channel);
+    return setpoint_ ? &*setpoint_ : nullptr;
   }
 
  private:
   void add_ours(const LogEvent& event, const MessageType& type, ChannelContents& channel) {
     channel.type = type.name;
-    const auto heading = type.heading(event.bytes);
+    const auto heading =
+        type.topic == Topic::setpoint ? heading_of_setpoint(event) : type.heading(event.bytes);
     if (!heading) {
       ++channel.undecodable;
       return;
@@ -126,24 +145,44 @@ class Count {
     last->second = heading->stamp.seq;
   }
 
+  // Most of a log are setpoints: they are decoded once.
+  std::optional<Heading> heading_of_setpoint(const LogEvent& event) {
+    setpoint_ = decode<setpoint_t>(event.bytes);
+    if (!setpoint_) return std::nullopt;
+    return Heading{{setpoint_->utime, setpoint_->cycle, setpoint_->seq}, setpoint_->channel};
+  }
+
   LogContents& contents_;
   std::map<const ChannelContents*, std::int64_t> last_seq_;
+  std::optional<setpoint_t> setpoint_;
 };
 
-// Faults of what could be read but for its check sum; what could not be read is told already.
-void add_faults(LogContents& contents) {
-  const std::vector<Damage> read = contents.damage;
-  for (const Damage& fault : contents.coverage.faults) {
-    const bool is_told = std::ranges::any_of(read, [&](const Damage& damage) {
-      return damage.offset < fault.offset + fault.bytes &&
-             fault.offset < damage.offset + damage.bytes;
-    });
-    if (!is_told) contents.damage.push_back(fault);
-  }
-  std::ranges::sort(contents.damage, {}, &Damage::offset);
+ContentsReading::ContentsReading() : count_(std::make_unique<Count>(contents_)) {}
+
+ContentsReading::~ContentsReading() = default;
+
+const setpoint_t* ContentsReading::take(const LogEvent& event) {
+  checks_.take(event);
+  const auto size = static_cast<std::int64_t>(event.whole.size());
+  bytes_ = event.offset + size;
+  const setpoint_t* setpoint = count_->add(event);
+  if (setpoint != nullptr) setpoint_bytes_ += size;
+  return setpoint;
 }
 
-}  // namespace
+std::int64_t ContentsReading::usable_bytes() const {
+  constexpr std::int64_t first_check_within = 1 << 20;  // of setpoints, in a log that has any
+  if (checks_.has_checks()) return checks_.sound_bytes();
+  return setpoint_bytes_ > first_check_within ? bytes_ : 0;
+}
+
+LogContents ContentsReading::finish(const LogReader& reader) {
+  contents_.bytes = reader.bytes_read();
+  contents_.damage = reader.damage();
+  contents_.coverage = checks_.coverage(contents_.bytes);
+  add_faults(contents_);
+  return std::move(contents_);
+}
 
 bool LogContents::is_cut() const {
   const bool ends_within = std::ranges::any_of(
@@ -160,18 +199,9 @@ bool LogContents::is_sound() const {
 Expected<LogContents, LogError> read_contents(const std::filesystem::path& file) {
   auto reader = LogReader::open(file);
   if (!reader) return Unexpected<LogError>(reader.error());
-  LogContents contents;
-  Count count(contents);
-  CheckReading checks;
-  while (const auto event = reader->next()) {
-    count.add(*event);
-    checks.take(*event);
-  }
-  contents.bytes = reader->bytes_read();
-  contents.damage = reader->damage();
-  contents.coverage = checks.coverage(contents.bytes);
-  add_faults(contents);
-  return contents;
+  ContentsReading reading;
+  while (const auto event = reader->next()) reading.take(*event);
+  return reading.finish(*reader);
 }
 
 const ChannelDescription* description_of(const LogContents& contents, int channel) {

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
+#include <stanok_messages/setpoint_t.hpp>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,34 @@ struct LogContents {
 };
 
 [[nodiscard]] Expected<LogContents, LogError> read_contents(const std::filesystem::path& file);
+
+// The same for whoever reads the events of a log himself.
+class ContentsReading {
+ public:
+  ContentsReading();
+  ~ContentsReading();
+  ContentsReading(const ContentsReading&) = delete;
+  ContentsReading& operator=(const ContentsReading&) = delete;
+
+  // In the order of the file. The setpoint that the event is; nullptr: it is none.
+  const setpoint_t* take(const LogEvent& event);
+  // Of what was taken: up to here events may be believed. A log without checks is believed, and
+  // what lies behind the last check is not, unless there is none.
+  [[nodiscard]] std::int64_t usable_bytes() const;
+  [[nodiscard]] bool has_checks() const { return checks_.has_checks(); }
+  // Nothing behind what is usable now will ever be.
+  [[nodiscard]] bool is_damaged() const { return checks_.has_faults(); }
+  // Behind the last event of `reader`.
+  [[nodiscard]] LogContents finish(const LogReader& reader);
+
+ private:
+  class Count;
+  LogContents contents_;
+  CheckReading checks_;
+  std::unique_ptr<Count> count_;
+  std::int64_t bytes_ = 0;           // of all events
+  std::int64_t setpoint_bytes_ = 0;  // of those that are setpoints
+};
 
 // The description of the channel of that number; nothing when the log does not have it.
 [[nodiscard]] const ChannelDescription* description_of(const LogContents& contents, int channel);

@@ -72,12 +72,12 @@ class MillingReading {
       : request_(request),
         readings_(request.spindle),
         stream_(
-            run.machine.machine, request.memory_max,
+            run.beginning.machine.machine, request.memory_max,
             [this](int, const std::string& code, const std::string& text) {
               if (refusal_.empty() && code.front() == 'E') refusal_ = code + ": " + text;
             },
-            &run.files),
-        cycle_s_(run.machine.machine.cycle_us * 1e-6) {
+            run.files.get()),
+        cycle_s_(run.beginning.machine.machine.cycle_us * 1e-6) {
     request_.cut.force_n_per_mm2 = 1.0;
     request_.cut.edge_n_per_mm = 1.0;
     feed_ = stream_.feed(request.channel);

@@ -116,7 +116,8 @@ int follow_log(const FollowOptions& options) {
   const auto run = runtime::read_run(options.source);
   auto reader = recording::LogReader::open(options.source);
   if (!reader) throw std::runtime_error(reader.error().text);
-  WorkpieceStream stream(run->machine.machine, options.memory_mib << 20U, complain, &run->files);
+  WorkpieceStream stream(run->beginning.machine.machine, options.memory_mib << 20U, complain,
+                         run->files.get());
   Album album(options);
   while (const auto event = reader->next()) {
     stream.take(event->channel, event->bytes);

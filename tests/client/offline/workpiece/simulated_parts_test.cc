@@ -65,8 +65,8 @@ class WorkpieceRun : public ::testing::Test {
   // The JSON of the one workpiece in the log, without the messages on channels that end so.
   [[nodiscard]] nlohmann::ordered_json out_of_log(const std::string& left_out = "none") const {
     const auto recorded = runtime::read_run(log_);
-    WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, complain,
-                           &recorded->files);
+    WorkpieceStream stream(recorded->beginning.machine.machine, simulation::memory_default,
+                           complain, recorded->files.get());
     auto reader = recording::LogReader::open(log_);
     while (const auto event = reader->next()) {
       if (!event->channel.ends_with(left_out)) stream.take(event->channel, event->bytes);
@@ -80,8 +80,8 @@ class WorkpieceRun : public ::testing::Test {
   // What is missing of the log when the setpoints of these cycles did not come.
   [[nodiscard]] WorkpieceStream::Missing missing_without(std::int64_t from, std::int64_t to) const {
     const auto recorded = runtime::read_run(log_);
-    WorkpieceStream stream(recorded->machine.machine, simulation::memory_default, complain,
-                           &recorded->files);
+    WorkpieceStream stream(recorded->beginning.machine.machine, simulation::memory_default,
+                           complain, recorded->files.get());
     auto reader = recording::LogReader::open(log_);
     while (const auto event = reader->next()) {
       const auto setpoint = recording::decode<setpoint_t>(event->bytes);
