@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <new>
 
-#include "base/idle_thread.h"
+#include "base/batch_thread.h"
 
 namespace stanok::daemon {
 namespace {
@@ -31,7 +31,7 @@ BackgroundWork::~BackgroundWork() {
     const std::lock_guard lock(mutex_);
     at_work_.request_stop();
   }
-  end_idle_thread(thread_);
+  end_batch_thread(thread_);
 }
 
 void BackgroundWork::submit(int session, Work work, Answer answer) {
@@ -86,8 +86,8 @@ CommandResult BackgroundWork::outcome_of(const Task& task) {
 }
 
 void BackgroundWork::carry_out(Task& task, const std::stop_token& stop) const {
-  std::optional<IdleWork> idle;
-  if (urgency_ == Urgency::idle) idle.emplace(stop);
+  std::optional<BatchWork> batch;
+  if (urgency_ == Urgency::batch) batch.emplace(stop);
   task.outcome = outcome_of(task);
   task.work = nullptr;
 }

@@ -24,8 +24,8 @@ class BackgroundWork {
 
   // Looks now and then whether it is to stop, when it takes long; what it answers then is not told.
   using Work = std::function<CommandResult(const std::stop_token& stop)>;
-  // Behind everything else that the computer does (sched(7), SCHED_IDLE), or as usual.
-  enum class Urgency { usual, idle };
+  // With much to compute that nobody waits for (base/batch_thread.h), or as usual.
+  enum class Urgency { usual, batch };
 
   explicit BackgroundWork(Urgency urgency);
   ~BackgroundWork();

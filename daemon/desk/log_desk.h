@@ -56,7 +56,7 @@ class LogDesk {
 
   RunningMachine& machine_;
   std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
-  BackgroundWork work_{BackgroundWork::Urgency::idle};
+  BackgroundWork work_{BackgroundWork::Urgency::batch};
 };
 
 }  // namespace stanok::daemon

@@ -57,7 +57,7 @@ class ProgramDesk {
   ProgramTimes times_;
   ProcessDesk process_;
   BackgroundWork files_{BackgroundWork::Urgency::usual};
-  BackgroundWork checks_{BackgroundWork::Urgency::idle};
+  BackgroundWork checks_{BackgroundWork::Urgency::batch};
 };
 
 }  // namespace stanok::daemon

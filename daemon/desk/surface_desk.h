@@ -33,7 +33,7 @@ class SurfaceDesk {
 
   RunningMachine& machine_;
   std::shared_ptr<Reference> reference_ = std::make_shared<Reference>();
-  BackgroundWork work_{BackgroundWork::Urgency::idle};
+  BackgroundWork work_{BackgroundWork::Urgency::batch};
 };
 
 }  // namespace stanok::daemon

@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "base/idle_thread.h"
+#include "base/batch_thread.h"
 #include "runtime/axis_positions.h"
 #include "runtime/foresight/thread_time.h"
 #include "runtime/simulation.h"
@@ -158,7 +158,7 @@ Foresight::Foresight(const config::MachineFile& file,
       thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 Foresight::~Foresight() {
-  end_idle_thread(thread_);
+  end_batch_thread(thread_);
 }
 
 void Foresight::look_at(int channel, const std::string& program, const channels::CycleOutput& now,
@@ -248,7 +248,7 @@ void Foresight::keep(int channel, Foreseen seen) {
 // Throws where it cannot be simulated.
 Expected<Foresight::Foreseen, GivenUp> Foresight::foresee(const Order& order,
                                                           const std::stop_token& stop) {
-  const IdleWork idle(stop);
+  const BatchWork batch(stop);
   Foreseen seen;
   SimulationOptions options;
   options.file = file_;

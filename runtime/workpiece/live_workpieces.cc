@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "base/idle_thread.h"
+#include "base/batch_thread.h"
 #include "simulation/surface_mesh.h"
 
 namespace stanok::runtime {
@@ -38,7 +38,7 @@ LiveWorkpieces::LiveWorkpieces(const channels::MachineConfig& machine, Complaint
 }
 
 LiveWorkpieces::~LiveWorkpieces() {
-  end_idle_thread(thread_);
+  end_batch_thread(thread_);
 }
 
 // Blocks are not told apart: a machine that runs for ever has ever more of them.
@@ -63,7 +63,7 @@ void LiveWorkpieces::observe(const channels::CycleOutput& output) {
 
 void LiveWorkpieces::work(const std::stop_token& stop) {
   constexpr auto pause = std::chrono::milliseconds(20);
-  run_when_idle(stop);
+  run_as_batch(stop);
   try {
     while (!stop.stop_requested()) {
       if (!cut_some()) std::this_thread::sleep_for(pause);

@@ -34,7 +34,7 @@ class ProcessDesk {
   [[nodiscard]] ProgramFolder folder() const;
 
   RunningMachine& machine_;
-  BackgroundWork work_{BackgroundWork::Urgency::idle};
+  BackgroundWork work_{BackgroundWork::Urgency::batch};
 };
 
 }  // namespace stanok::daemon

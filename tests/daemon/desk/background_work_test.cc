@@ -36,7 +36,7 @@ TEST(BackgroundWork, AnswersInTheOrderOfAsking) {
 }
 
 TEST(BackgroundWork, AFaultCostsItsAnswerOnly) {
-  BackgroundWork work(BackgroundWork::Urgency::idle);
+  BackgroundWork work(BackgroundWork::Urgency::batch);
   Asked asked;
   work.submit(
       1, [](const std::stop_token&) -> CommandResult { throw std::runtime_error("broken"); },

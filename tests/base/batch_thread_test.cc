@@ -1,5 +1,5 @@
-// The scheduling class of a thread that runs when nothing else wants to.
-#include "base/idle_thread.h"
+// The scheduling class of a thread with much to compute that nobody waits for.
+#include "base/batch_thread.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -7,13 +7,8 @@
 
 #include <atomic>
 
-#include "tests/support/sanitized.h"
-
 namespace stanok {
 namespace {
-
-// Sanitized threads stay what they are (base/idle_thread.cc).
-constexpr int idle_class = testing::is_sanitized ? SCHED_OTHER : SCHED_IDLE;
 
 int own_class() {
   int policy = -1;
@@ -27,25 +22,24 @@ void wait_for_class(int policy) {
   while (own_class() != policy) std::this_thread::yield();
 }
 
-// A busy computer leaves an idle thread next to nothing: who ends it would wait for minutes.
-TEST(IdleThread, HasTheUsualClassWhileItsEndIsWaitedFor) {
+TEST(BatchThread, HasTheUsualClassWhileItsEndIsWaitedFor) {
   std::atomic<bool> was_usual{false};
   std::jthread thread([&](const std::stop_token& stop) {
-    run_when_idle(stop);
+    run_as_batch(stop);
     while (!stop.stop_requested()) std::this_thread::yield();
     wait_for_class(SCHED_OTHER);
     was_usual = true;
   });
-  end_idle_thread(thread);
+  end_batch_thread(thread);
   EXPECT_TRUE(was_usual);
   EXPECT_FALSE(thread.joinable());
 }
 
-TEST(IdleThread, ThatIsEndedBeforeItBeginsHasTheUsualClassToo) {
+TEST(BatchThread, ThatIsEndedBeforeItBeginsHasTheUsualClassToo) {
   std::stop_source stop;
   stop.request_stop();
   std::jthread thread([&] {
-    run_when_idle(stop.get_token());
+    run_as_batch(stop.get_token());
     wait_for_class(SCHED_OTHER);
   });
   thread.join();
@@ -53,21 +47,21 @@ TEST(IdleThread, ThatIsEndedBeforeItBeginsHasTheUsualClassToo) {
 }
 
 // Before and behind its work it holds what others wait for.
-TEST(IdleThread, WorksIdleOnly) {
+TEST(BatchThread, IsOfItsClassOnlyWhileItWorks) {
   std::jthread thread([](const std::stop_token& stop) {
     EXPECT_EQ(own_class(), SCHED_OTHER);
     {
-      const IdleWork idle(stop);
-      EXPECT_EQ(own_class(), idle_class);
+      const BatchWork work(stop);
+      EXPECT_EQ(own_class(), SCHED_BATCH);
     }
     EXPECT_EQ(own_class(), SCHED_OTHER);
   });
   thread.join();
 }
 
-TEST(IdleThread, ThatWasNeverStartedNeedsNoEnd) {
+TEST(BatchThread, ThatWasNeverStartedNeedsNoEnd) {
   std::jthread thread;
-  end_idle_thread(thread);
+  end_batch_thread(thread);
   EXPECT_FALSE(thread.joinable());
 }
 
