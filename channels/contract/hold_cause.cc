@@ -17,7 +17,7 @@ std::string_view text_of(HoldCause cause) {
     case HoldCause::sensor_fault:
       return "the power sensor of force control";
     case HoldCause::clock_gap:
-      return "the control stood still meanwhile";
+      return "a standstill of the control";
     case HoldCause::none:
       break;
   }
