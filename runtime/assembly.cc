@@ -58,7 +58,7 @@ struct Assembly::Parts {
   std::unique_ptr<DriveSide> drives;
   ProgramInputs inputs;
   ClockGaps gaps;
-  std::int64_t lost = 0;  // periods before the next cycle
+  channels::ClockGap gap;  // before the next cycle
   std::unique_ptr<OutputBook> outputs;
   channels::CycleOutput output;
 };
@@ -95,7 +95,7 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
            .feedback = drives.feedback(),
            .signals = parts.inputs.read(drives, parts.output, touched),
            .sensors = sensors.empty() ? drives.sensors() : sensors,
-           .gap = parts.gaps.gap_of(std::exchange(parts.lost, 0))});
+           .gap = std::exchange(parts.gap, {})});
   drives.write(parts.output);
   return parts.output;
 }
@@ -104,10 +104,10 @@ const channels::CycleOutput& Assembly::late_cycle(std::int64_t lost,
                                                   std::span<const channels::OperatorEvent> events)
     RT_SAFE {
   Parts& parts = *parts_;
-  const std::int64_t carried = parts.gaps.carried(lost);
-  for (std::int64_t k = 0; k < carried && parts.machine.may_carry_on(); ++k) carry_on();
+  parts.gap = parts.gaps.gap_of(lost, parts.machine);
+  const std::int64_t carried = parts.gap.carried;
+  for (std::int64_t k = 0; k < carried; ++k) carry_on();
   parts.drives->pass(lost);
-  parts.lost = lost;
   return cycle(events);
 }
 
@@ -117,7 +117,8 @@ void Assembly::carry_on() RT_SAFE {
   compute({.events = {},
            .feedback = parts.drives->feedback(),
            .signals = parts.inputs.latest(),
-           .sensors = parts.drives->sensors()});
+           .sensors = parts.drives->sensors(),
+           .gap = std::exchange(parts.gap, {})});
 }
 
 void Assembly::compute(const channels::CycleInputs& inputs) RT_SAFE {

@@ -13,6 +13,7 @@
 #include "base/rt_safe.h"
 #include "channels/contract/clock_gap.h"
 #include "channels/contract/machine_config.h"
+#include "channels/machine/machine.h"
 #include "drives/drive.h"
 
 namespace stanok::runtime {
@@ -23,17 +24,21 @@ class ClockGaps {
       : catch_up_max_(machine.catch_up_max),
         bridged_(std::llround(1e6 * drives::bridged_s / machine.cycle_us)) {}
 
-  [[nodiscard]] channels::ClockGap gap_of(std::int64_t periods) const RT_SAFE {
-    using channels::AfterGap;
-    if (periods > bridged_) return {periods, AfterGap::is_held};
-    return {periods, periods > catch_up_max_ ? AfterGap::rests : AfterGap::goes_on};
-  }
-  // Of so many periods those that can be made up for.
-  [[nodiscard]] std::int64_t carried(std::int64_t periods) const RT_SAFE {
-    return std::min(periods, bridged_);
+  // The gap before the next cycle of `machine`.
+  [[nodiscard]] channels::ClockGap gap_of(std::int64_t periods,
+                                          const channels::Machine& machine) const RT_SAFE {
+    return {.periods = periods,
+            .then = behind(periods),
+            .carried = machine.may_carry_on() ? std::min(periods, bridged_) : 0};
   }
 
  private:
+  [[nodiscard]] channels::AfterGap behind(std::int64_t periods) const RT_SAFE {
+    using channels::AfterGap;
+    if (periods > bridged_) return AfterGap::is_held;
+    return periods > catch_up_max_ ? AfterGap::rests : AfterGap::goes_on;
+  }
+
   std::int64_t catch_up_max_;
   std::int64_t bridged_;
 };

@@ -237,7 +237,7 @@ class Repetition {
     refuse(input);
   }
   void take(const channels::InputRecord& /*input*/, const channels::Overrun& overrun) {
-    gap_ = ClockGaps(config_).gap_of(overrun.periods);
+    gap_ = ClockGaps(config_).gap_of(overrun.periods, machine_);
   }
   // It changed nothing in the cycle.
   void take(const channels::InputRecord& /*input*/, const channels::LostInputs& /*lost*/) {}

@@ -15,6 +15,10 @@ enum class AfterGap : std::uint8_t {
 struct ClockGap {
   std::int64_t periods = 0;  // 0: there was none
   AfterGap then = AfterGap::goes_on;
+  std::int64_t carried = 0;  // so many cycles, from this one on, make up for periods of it
 };
+
+// In a period that is made up for, axes and spindles move on; no item of a program begins or ends.
+enum class Period : std::uint8_t { present, made_up };
 
 }  // namespace stanok::channels

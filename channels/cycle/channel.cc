@@ -47,14 +47,10 @@ void Channel::watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE {
   if (fault) run.fault(*fault);
 }
 
-void Channel::advance(std::int64_t cycle) RT_SAFE {
+void Channel::advance(std::int64_t cycle, Period period) RT_SAFE {
   runs.begin_cycle(cycle);
   marks.begin_cycle();
-  if (state().is_ending()) continue_reset();
-  items_.advance();
-  if (is_at_rest()) items_.settle();
-  take_step();
-  if (!state().is_ending()) items_.probe().advance(link);
+  if (period == Period::present) work_items();
   spindles.observe();
   move();
   follow_thread();
@@ -63,12 +59,20 @@ void Channel::advance(std::int64_t cycle) RT_SAFE {
   spindles.turn();
   control_force();
   stop_at_step();
-  work_marks();
+  work_marks(period);
   announce();
   name_program();
   if (std::exchange(link.has_lost_notice, false))
     run.fault({{"A9001"}, {"the preparation of the channel has not taken what it was told"}});
   if (run.takes_power_off()) power(Power::off);
+}
+
+void Channel::work_items() RT_SAFE {
+  if (state().is_ending()) continue_reset();
+  items_.advance();
+  if (is_at_rest()) items_.settle();
+  take_step();
+  if (!state().is_ending()) items_.probe().advance(link);
 }
 
 // First to rest along the path, then the preparation is told to forget, then what it had pushed is
@@ -190,13 +194,15 @@ void Channel::stop_at_step() RT_SAFE {
   if (is_at_step && state().situation() == Situation::running) run.hold(HoldCause::single_block);
 }
 
-void Channel::work_marks() RT_SAFE {
-  if (state().is_ending()) return;
+void Channel::work_marks(Period period) RT_SAFE {
   const motion::InterpolatorOutput& path = motion.path();
-  const auto missed = marks.advance({.path = path.tag,
-                                     .stands_at_gate = path.at_gate,
-                                     .closed_block = run.stepper().closed_from_block(),
-                                     .riders_before_item = items_.riders_before_item()});
+  const bool is_present = period == Period::present;
+  if (state().is_ending() || (path.at_gate && !is_present)) return;
+  const auto missed =
+      marks.advance({.path = path.tag,
+                     .stands_at_gate = path.at_gate,
+                     .closed_block = run.stepper().closed_from_block(),
+                     .riders_before_item = is_present ? items_.riders_before_item() : 0});
   if (missed) run.fail("E6024", "the path came too fast to the mark to stop there", *missed);
 }
 

@@ -35,7 +35,7 @@ class Channel : public CycleParts {
   void see_gap(const ClockGap& gap) RT_SAFE;                          // only where there was one
   void watch_drives(std::span<const AxisFeedback> feedback) RT_SAFE;  // empty: ideal drives
   void sense(NumberedSpan<const SpindleSensors> sensors) RT_SAFE { process.sense(sensors); }
-  void advance(std::int64_t cycle) RT_SAFE;
+  void advance(std::int64_t cycle, Period period) RT_SAFE;
   void fill(ChannelOutput& output) const RT_SAFE;
 
   // Whether the preparation has made what a recorded cycle saw of it. Not of the cycle.
@@ -81,7 +81,8 @@ class Channel : public CycleParts {
   void follow_thread() RT_SAFE;
   void control_force() RT_SAFE;
   void stop_at_step() RT_SAFE;
-  void work_marks() RT_SAFE;
+  void work_items() RT_SAFE;
+  void work_marks(Period period) RT_SAFE;
   void announce() RT_SAFE;
   void name_program() RT_SAFE;
 

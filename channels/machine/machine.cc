@@ -168,10 +168,21 @@ struct Machine::Parts {
     }
   }
 
-  void see_gap(const ClockGap& gap) RT_SAFE {
-    if (gap.periods == 0) return;
-    inputs.note({.cycle = cycle, .content = Overrun{gap.periods}});
-    for (const auto& seat : seats) seat->channel.see_gap(gap);
+  // What is the case behind a gap is told when its last period has been made up for.
+  [[nodiscard]] Period pass_gap(const ClockGap& now) RT_SAFE {
+    if (now.periods > 0) {
+      inputs.note({.cycle = cycle, .content = Overrun{now.periods}});
+      gap = now;
+    }
+    if (gap.carried > 0) {
+      --gap.carried;
+      return Period::made_up;
+    }
+    if (gap.periods > 0) {
+      for (const auto& seat : seats) seat->channel.see_gap(gap);
+      gap = {};
+    }
+    return Period::present;
   }
 
   // Reports of runs and alarms that found no place.
@@ -201,6 +212,7 @@ struct Machine::Parts {
   NumberedList<std::unique_ptr<Seat>> seats;
   std::unique_ptr<Coordinator> coordinator;
   std::int64_t cycle = 0;
+  ClockGap gap;  // that is being made up for
 };
 
 Machine::Machine(const MachineConfig& config, const lang::Files& files,
@@ -250,11 +262,11 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     parts.coordinator->take(event);
   }
   parts.watch.take(parts.cycle, inputs.signals, inputs.sensors);
-  parts.see_gap(inputs.gap);
+  const Period period = parts.pass_gap(inputs.gap);
   for (const auto& seat : parts.seats) {
     seat->channel.watch_drives(inputs.feedback);
     seat->channel.sense(parts.watch.sensors());
-    seat->channel.advance(parts.cycle);
+    seat->channel.advance(parts.cycle, period);
   }
   parts.coordinator->step();
   parts.tell_lost_reports();

@@ -43,6 +43,7 @@ class LateClock {
           return lost_;
         },
         [this](const channels::CycleOutput& output) {
+          count_edge(output, valve_sent_, edges_sent);
           if (output.channels[0].running)
             sent.push_back({{output.cycle, output.channels[0]}, lost_, period_});
         });
@@ -81,10 +82,17 @@ class LateClock {
   std::vector<Computed> computed;  // while the program ran
   std::map<std::string, int> told;
   channels::ChannelOutput shown;
+  int edges = 0;       // of the first digital output
+  int edges_sent = 0;  // to it
 
  private:
+  static void count_edge(const channels::CycleOutput& output, bool& is_on, int& count) {
+    const bool was_on = std::exchange(is_on, output.signals.is_on(0));
+    if (was_on != is_on) ++count;
+  }
   void look(const channels::CycleOutput& output) {
     shown = output.channels[0];
+    count_edge(output, valve_, edges);
     has_run_ = has_run_ || shown.running;
     if (shown.running) computed.push_back({output.cycle, shown});
   }
@@ -93,6 +101,8 @@ class LateClock {
   std::mt19937_64 random_;
   std::function<std::int64_t(std::mt19937_64&)> lateness_;
   bool is_late_ = false;
+  bool valve_ = false;
+  bool valve_sent_ = false;
   bool has_run_ = false;
   std::int64_t lost_ = 0;
   std::int64_t period_ = 0;
@@ -230,8 +240,8 @@ TEST(ClockGaps, ThePathRestsBehindLongOnes) {
     --rests;  // the end of the path
     EXPECT_GE(rests, 2);
     EXPECT_LE(rests, long_gaps) << "one gap may come while the axes brake behind another";
-    EXPECT_GE(late.told["W731"], rests) << "and one in the rapid to the circle";
-    EXPECT_LE(late.told["W731"], rests + 1);
+    EXPECT_GE(late.told["W731"], rests);
+    EXPECT_LE(late.told["W731"], rests + 2) << "one in the rapid, one while the end is near";
     late.by_chance().close();
     const ReplayResult result = replay(late.by_chance().path(), {});
     EXPECT_TRUE(result.is_same()) << (result.difference ? result.difference->field : "");
@@ -254,6 +264,41 @@ TEST(ClockGaps, TheRunIsHeldWhereTheControlStoodStill) {
   EXPECT_EQ(late.told["W732"], 1);
   late.by_chance().ask(OperatorAction::program_resume, 1);
   EXPECT_TRUE(late.go_on());
+  late.by_chance().close();
+  EXPECT_TRUE(replay(late.by_chance().path(), {}).is_same());
+}
+
+// A run that was held already stays so for its own cause, and goes on as behind that one.
+TEST(ClockGaps, AHoldKeepsItsCauseWhereTheControlStoodStill) {
+  LateClock late("mill3.toml", DriveChoice::ideal, 1);
+  late.begin("G21 G90 G0 X1\nM0\nG0 X2\nG0 X3\nM30\n");
+  const auto stand_still = [&] {
+    ASSERT_FALSE(late.go_on(1000));
+    const channels::HoldCause cause = late.shown.hold_cause;
+    late.be_late([was_late = false](std::mt19937_64&) mutable -> std::int64_t {
+      return std::exchange(was_late, true) ? 0 : 11'000;
+    });
+    ASSERT_FALSE(late.go_on(100));
+    EXPECT_EQ(late.shown.state, channels::ChannelState::held);
+    EXPECT_EQ(late.shown.hold_cause, cause);
+  };
+  stand_still();
+  EXPECT_EQ(late.shown.hold_cause, channels::HoldCause::program_stop);
+  channels::OperatorEvent single_block;
+  single_block.channel = 1;
+  single_block.command = channels::commands::SingleBlock{channels::Switch::on};
+  late.by_chance().ask(single_block);
+  late.by_chance().ask(OperatorAction::program_resume, 1);
+  stand_still();
+  EXPECT_EQ(late.shown.hold_cause, channels::HoldCause::single_block);
+  EXPECT_NEAR(late.shown.axes[0].position, 2.0, 1e-9);
+  late.by_chance().ask(OperatorAction::program_resume, 1);
+  ASSERT_FALSE(late.go_on(1000));
+  EXPECT_NEAR(late.shown.axes[0].position, 3.0, 1e-9) << "the next step, no other one";
+  EXPECT_EQ(late.shown.hold_cause, channels::HoldCause::single_block);
+  late.by_chance().ask(OperatorAction::program_resume, 1);
+  EXPECT_TRUE(late.go_on());
+  EXPECT_EQ(late.told["W732"], 0);
   late.by_chance().close();
   EXPECT_TRUE(replay(late.by_chance().path(), {}).is_same());
 }
@@ -324,6 +369,29 @@ TEST(ClockGaps, AThreadIsLeftInStepBehindLongOnes) {
   ASSERT_TRUE(late.go_on());
   EXPECT_EQ(late.told["A4002"], 1);
   EXPECT_EQ(late.told["A4001"], 0);
+}
+
+// A valve is open for one period while another channel moves: a drive and a valve get what the last
+// of the cycles says that are computed at once, so none of them may do both.
+TEST(ClockGaps, NoItemIsCarriedOutInAPeriodThatIsMadeUpFor) {
+  constexpr int pulses = 20;
+  std::string blower = "G21 G90\n";
+  for (int n = 0; n < pulses; ++n) blower += "M64 P0\nG4 P0.002\nM65 P0\nG4 P0.05\n";
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    LateClock late("stress8.toml", DriveChoice::ideal, seed);
+    late.by_chance().program("blower.nc", blower + "M30\n");
+    late.be_late([](std::mt19937_64& random) -> std::int64_t {
+      return random() % 10 == 0 ? 1 + static_cast<std::int64_t>(random() % 20) : 0;
+    });
+    late.begin(circles());
+    late.by_chance().ask(OperatorAction::program_run, 2, "blower.nc");
+    EXPECT_TRUE(late.go_on());
+    EXPECT_EQ(late.edges, 2 * pulses);
+    EXPECT_EQ(late.edges_sent, 2 * pulses);
+    late.by_chance().close();
+    EXPECT_TRUE(replay(late.by_chance().path(), {}).is_same());
+  }
 }
 
 // Where the path goes depends on what was not looked at meanwhile.

@@ -31,7 +31,7 @@ class CoordinatorBench {
       channels::Channel& channel = table[static_cast<int>(k)];
       channel.see_arrivals();
       channel.watch_drives({});
-      channel.advance(now_);
+      channel.advance(now_, channels::Period::present);
     }
   }
   void cycles(int count) {
