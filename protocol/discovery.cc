@@ -54,7 +54,8 @@ json method_json(const Method& method) {
           {"summary", method.help},
           {"params", std::move(parameters)},
           {"result", {{"name", "result"}, {"schema", result_schema(method)}}},
-          {"x-role", role_name(method.role)}};
+          {"x-role", role_name(method.role)},
+          {"x-effect", effect_name(method.effect)}};
 }
 
 std::string range_text(const Parameter& parameter) {

@@ -94,6 +94,14 @@ inline constexpr Parameter seen_situation{
     .help =
         "situation of the channel in the status that was looked at; refused where it has "
         "changed since"};
+// Of what begins motion.
+inline constexpr Parameter seen_cycle{
+    .name = "seen_cycle",
+    .type = ParameterType::integer,
+    .minimum = 0,
+    .maximum = 9007199254740991.0,
+    .help = "cycle of the newest status that was seen; refused where that is long ago"};
 inline constexpr std::array of_channel{channel};
+inline constexpr std::array of_motion{channel, seen_cycle};
 
 }  // namespace stanok::protocol::rows

@@ -43,6 +43,12 @@ constexpr auto nouns = std::to_array<std::pair<std::string_view, std::string_vie
     {"rpc", "the protocol itself"},
 });
 
+constexpr auto effect_names = enum_names<Effect>({
+    {Effect::looks, "looks"},
+    {Effect::changes, "changes"},
+    {Effect::begins_motion, "begins_motion"},
+    {Effect::stops, "stops"},
+});
 constexpr auto role_names = enum_names<Role>({
     {Role::observer, "observer"},
     {Role::machine_operator, "operator"},
@@ -85,6 +91,10 @@ std::string_view noun_help(std::string_view noun) {
   const auto row =
       std::find_if(nouns.begin(), nouns.end(), [&](const auto& n) { return n.first == noun; });
   return row == nouns.end() ? std::string_view{} : row->second;
+}
+
+std::string_view effect_name(Effect effect) {
+  return effect_names[effect];
 }
 
 std::string_view role_name(Role role) {

@@ -102,6 +102,7 @@ struct Method {
 [[nodiscard]] std::string_view noun_help(std::string_view noun);
 
 [[nodiscard]] std::string_view role_name(Role role);
+[[nodiscard]] std::string_view effect_name(Effect effect);
 [[nodiscard]] std::optional<Role> role_named(std::string_view name);
 [[nodiscard]] std::string_view type_name(ParameterType type);
 

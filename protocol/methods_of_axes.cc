@@ -29,7 +29,7 @@ constexpr Parameter drive_fault{.name = "fault",
                                 .choices = fault_choices,
                                 .help = "fault that the drive has from now on; none: it works"};
 
-constexpr std::array of_scheme{scheme, channel};
+constexpr std::array of_scheme{scheme, channel, seen_cycle};
 constexpr std::array of_drive{drive};
 constexpr std::array of_drive_fault{drive, drive_fault};
 

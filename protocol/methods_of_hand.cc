@@ -56,9 +56,10 @@ constexpr Parameter wait_as_usual = [] {
   parameter.usual = "done";
   return parameter;
 }();
-constexpr std::array of_line{line, channel, wait_as_usual, seen_situation};
-constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment, jog_frame, channel};
-constexpr std::array of_home{homed_axis, channel};
+constexpr std::array of_line{line, channel, wait_as_usual, seen_situation, seen_cycle};
+constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment,
+                            jog_frame,   channel,      seen_cycle};
+constexpr std::array of_home{homed_axis, channel, seen_cycle};
 
 constexpr auto hand_rows = std::to_array<Method>({
     {.name = "mdi",

@@ -22,6 +22,7 @@ constexpr Parameter position_why{.name = "why",
                                      "1: with all that lies between the machine position and "
                                      "each word: zero of the scheme, offsets, lengths, turns"};
 
+constexpr std::array of_power{seen_cycle};
 constexpr std::array of_position{position_why, channel};
 constexpr std::array of_control{control, channel};
 constexpr std::array of_watch{channel, rate};
@@ -31,6 +32,7 @@ constexpr auto machine_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::begins_motion,
      .action = "machine_on",
+     .parameters = of_power,
      .help = "switch on the drives of the axes that take part"},
     {.name = "machine.off",
      .role = machine_operator,
@@ -44,7 +46,7 @@ constexpr auto machine_rows = std::to_array<Method>({
      .help = "emergency stop: stop along the path at once, then drives off; always accepted"},
     {.name = "machine.status",
      .help = "cycle, drives, real-time figures, state of every channel",
-     .result = R"({"name":"string","cycle_us":"integer","cycle":"integer",
+     .result = R"({"name":"string","cycle_us":"integer","cycle":"integer","age_ms":"integer",
       "machine_time_s":"number","on":"boolean","idle":"boolean","drives":"string",
       "rt":{"cycle_us":"$percentiles","latency_us":"$percentiles","overruns":"integer",
             "periods_skipped":"integer"},

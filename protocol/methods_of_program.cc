@@ -51,12 +51,13 @@ constexpr Parameter percent(double minimum, double maximum) {
 }
 
 constexpr std::array of_program{program, channel, wait};
-constexpr std::array of_start{channel, wait, seen_situation};
+constexpr std::array of_run{program, channel, wait, seen_cycle};
+constexpr std::array of_start{channel, wait, seen_situation, seen_cycle};
 constexpr std::array of_switch{on_or_off, channel};
 constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_search{search_target, search_pass, search_calculation, channel};
-constexpr std::array of_feed{percent(0, 200), channel};
-constexpr std::array of_rapid{percent(0, 100), channel};
+constexpr std::array of_feed{percent(0, 200), channel, seen_cycle};
+constexpr std::array of_rapid{percent(0, 100), channel, seen_cycle};
 constexpr std::array of_spindle{percent(50, 150), channel};
 
 constexpr auto program_rows = std::to_array<Method>({
@@ -72,7 +73,7 @@ constexpr auto program_rows = std::to_array<Method>({
      .effect = Effect::begins_motion,
      .course = Course::reads_program,
      .action = "program_run",
-     .parameters = of_program,
+     .parameters = of_run,
      .help = "load a program and start it",
      .result = R"("$end of run")"},
     {.name = "program.start",
@@ -93,7 +94,7 @@ constexpr auto program_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::begins_motion,
      .action = "program_resume",
-     .parameters = of_channel,
+     .parameters = of_motion,
      .help = "continue after a feed hold"},
     {.name = "program.stop",
      .role = machine_operator,

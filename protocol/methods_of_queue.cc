@@ -59,7 +59,7 @@ constexpr auto queue_rows = std::to_array<Method>({
     {.name = "queue.start",
      .role = machine_operator,
      .effect = Effect::begins_motion,
-     .parameters = of_channel,
+     .parameters = of_motion,
      .help =
          "run the programs of the queue one after the other, until one fails, somebody stops or "
          "resets something, takes the channel, or an alarm comes",

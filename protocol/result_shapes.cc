@@ -41,7 +41,7 @@ constexpr auto named_shapes = std::to_array<std::pair<std::string_view, std::str
     {"on_part", R"({"tip":["number"],"direction":["number"],"work":"any","machine":"any"})"},
     {"wait", R"({"for":"string","number":"integer?","channels":["integer"]})"},
     {"channel", R"({"id":"integer","name":"string","words":["string"],"axis_names":["string"],
-      "state":"string","program_status":"string",
+      "cycle":"integer","age_ms":"integer","state":"string","program_status":"string",
       "waits_for":"$wait?","single_block":"boolean","optional_stop":"boolean",
       "block_skip":["integer"],"work_offset":"string?","coolant":["string"],"held_by":"string?","controlled_by":"string?",
       "alarm":"$alarm?","program":"string?","run":"integer","file":"string?","line":"integer","block":"integer",

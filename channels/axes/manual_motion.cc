@@ -129,6 +129,16 @@ bool ManualMotion::is_active() const RT_SAFE {
                      [](const AxisState& state) { return state.task != Task::none; });
 }
 
+bool ManualMotion::jogs(int axis) const RT_SAFE {
+  return axis >= 0 && states_[axis].task == Task::jog && states_[axis].cycles_left > 0;
+}
+
+bool ManualMotion::is_jogging() const RT_SAFE {
+  for (int axis = 0; axis < static_cast<int>(count_); ++axis)
+    if (jogs(axis)) return true;
+  return jogs_along_line();
+}
+
 void ManualMotion::advance(std::span<const AxisFeedback> drives,
                            std::span<kinematics::Jet> positions) RT_SAFE {
   line_.advance(cycle_s_, positions);

@@ -52,6 +52,10 @@ class ManualMotion {
   void break_off() RT_SAFE;
 
   [[nodiscard]] bool is_active() const RT_SAFE;
+  // Under a lease: of this axis, along a line, any.
+  [[nodiscard]] bool jogs(int axis) const RT_SAFE;
+  [[nodiscard]] bool jogs_along_line() const RT_SAFE { return line_.is_leased(); }
+  [[nodiscard]] bool is_jogging() const RT_SAFE;
   [[nodiscard]] HomingState homing() const RT_SAFE { return homing_state_; }
   [[nodiscard]] const FixedText<128>& homing_fault() const RT_SAFE { return fault_; }
 

@@ -41,6 +41,7 @@ class StraightJog {
   void stop() RT_SAFE;
 
   [[nodiscard]] bool is_active() const RT_SAFE { return is_active_; }
+  [[nodiscard]] bool is_leased() const RT_SAFE { return is_active_ && cycles_left_ > 0; }
   // Once a cycle: positions of the axes that are moved are replaced.
   void advance(double cycle_s, std::span<kinematics::Jet> positions) RT_SAFE;
 

@@ -131,8 +131,9 @@ struct MachineConfig {
   std::string file;  // machine file, for messages
   int cycle_us = 1000;
   double stop_time_max_s =
-      0.0;               // of any stop, until power is removed; 0: by the limits of the axes
-  int catch_up_max = 3;  // periods without a cycle behind which the path still goes on
+      0.0;  // of any stop, until power is removed; 0: by the limits of the axes
+  double request_age_max_s = 0.5;  // of what begins motion, until the cycle takes it
+  int catch_up_max = 3;            // periods without a cycle behind which the path still goes on
   NumberedList<AxisConfig> axes;
   std::vector<SpindleConfig> spindles;
   NumberedList<ChannelConfig> channels;  // ascending ids

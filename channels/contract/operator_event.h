@@ -17,6 +17,10 @@ struct OperatorEvent {
   OperatorCommand command = commands::ProgramHold{};
   std::int32_t channel = 0;     // 0: the machine
   std::uint32_t situation = 0;  // of the channel, in which alone it holds; 0: in any
+  // The newest cycle that its asker had seen, or in which it came in: what begins motion is refused
+  // when that is long ago (channels/coordinator/request_gate.h). -1: it has no age.
+  std::int64_t seen_cycle = -1;
+  std::int32_t session = 0;  // that asks; 0: none
 
   [[nodiscard]] OperatorAction action() const RT_SAFE { return action_of(command); }
 };

@@ -113,18 +113,24 @@ struct Coordinator::Step {
 };
 
 Coordinator::Coordinator(std::span<Channel* const> channels, const OwnerFailures& on_owner_failure,
-                         double cycle_s, ReplyRings replies, const MachineStores& stores)
+                         CoordinatorTimes times, ReplyRings replies, const MachineStores& stores)
     : channels_(channels),
       ownership_(channels),
       replies_(replies),
+      gate_(times.cycle_s, times.request_age_max_s),
       control_(channels_, ownership_),
       operators_(channels_, control_, stores),
-      values_(channels_, ownership_, stores, cycle_s),
-      waits_(channels_, std::span(errands_).first(channels_max), cycle_s),
-      channel_errands_(channels_, ownership_, control_, on_owner_failure, cycle_s) {}
+      values_(channels_, ownership_, stores, times.cycle_s),
+      waits_(channels_, std::span(errands_).first(channels_max), times.cycle_s),
+      channel_errands_(channels_, ownership_, control_, on_owner_failure, times.cycle_s) {}
 
-bool Coordinator::admits(const OperatorEvent& event) RT_SAFE {
+bool Coordinator::admits(const OperatorEvent& event, std::int64_t cycle) RT_SAFE {
   const int index = channels_.index_of(event.channel);
+  const Channel* const named = index < 0 ? nullptr : &channels_[index];
+  if (const auto refused = gate_.refusal_of(event, cycle, named, index)) {
+    reply(event.id, *refused);
+    return false;
+  }
   if (event.situation == 0 || index < 0) return true;
   if (channels_[index].items().current_tag().situation == event.situation) return true;
   reply(event.id, refusal("E6090", "codes, tool or tables have changed since: look again"));
@@ -136,6 +142,7 @@ void Coordinator::take(const OperatorEvent& event) RT_SAFE {
   if (index < 0 && event.channel != 0)
     return reply(event.id, refusal("E6001", "there is no such channel"));
   Channel* const named = index < 0 ? nullptr : &channels_[index];
+  gate_.note(event, index);
   if (const auto refused = refusal_by_rule(event.action(), named)) return reply(event.id, *refused);
   if (const auto verdict = operators_.apply(event, named)) return reply(event.id, *verdict);
   if (named == nullptr) return reply(event.id, refusal("E6001", "a channel must be named"));

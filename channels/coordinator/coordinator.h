@@ -21,6 +21,7 @@
 #include "channels/coordinator/errand.h"
 #include "channels/coordinator/machine_stores.h"
 #include "channels/coordinator/operator_desk.h"
+#include "channels/coordinator/request_gate.h"
 #include "channels/coordinator/value_desk.h"
 #include "channels/coordinator/verdict.h"
 #include "channels/coordinator/wait_desk.h"
@@ -33,16 +34,24 @@ struct ReplyRings {
   Ring<OperatorReply>& stops;
 };
 
+struct CoordinatorTimes {
+  double cycle_s = 0.001;
+  double request_age_max_s = 0.5;
+};
+
 class Coordinator {
  public:
   // All outlive the coordinator.
   Coordinator(std::span<Channel* const> channels, const OwnerFailures& on_owner_failure,
-              double cycle_s, ReplyRings replies, const MachineStores& stores);
+              CoordinatorTimes times, ReplyRings replies, const MachineStores& stores);
   Coordinator(const Coordinator&) = delete;
   Coordinator& operator=(const Coordinator&) = delete;
 
   // False, and its asker has been told: what the command was meant for is no more.
-  [[nodiscard]] bool admits(const OperatorEvent& event) RT_SAFE;
+  [[nodiscard]] bool admits(const OperatorEvent& event, std::int64_t cycle) RT_SAFE;
+  void note_gap(std::int64_t cycle, std::int64_t periods) RT_SAFE {
+    gate_.note_gap(cycle, periods);
+  }
   void take(const OperatorEvent& event) RT_SAFE;
   // After all channels have done their cycle.
   void step() RT_SAFE;
@@ -79,6 +88,7 @@ class Coordinator {
   ReplyRings replies_;
   NumberedArray<Errand, channels_max + operator_errands> errands_{};
   std::uint64_t errands_taken_ = 0;
+  RequestGate gate_;
   ControlDesk control_;
   OperatorDesk operators_;
   ValueDesk values_;

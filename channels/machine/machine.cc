@@ -141,8 +141,7 @@ struct Machine::Parts {
         changes(changes_max(machine, options.changes_kept_s), inputs),
         watch(machine.spindles.size(), options.outputs_to_inputs ? &signals_out : nullptr,
               {inputs, changes}),
-        replies(replies_max),
-        stop_replies(replies_max) {
+        replies{Ring<OperatorReply>(replies_max), Ring<OperatorReply>(replies_max)} {
     if (machine.channels.empty() || machine.channels.size() > channels_max) {
       throw std::invalid_argument("a machine has 1 to " + std::to_string(channels_max) +
                                   " channels");
@@ -156,7 +155,9 @@ struct Machine::Parts {
       if (options.on_at_start) channels.back()->power(Power::on);
     }
     coordinator = std::make_unique<Coordinator>(
-        channels, owner_rules(machine), machine.cycle_us * 1e-6, ReplyRings{replies, stop_replies},
+        channels, owner_rules(machine),
+        CoordinatorTimes{machine.cycle_us * 1e-6, machine.request_age_max_s},
+        ReplyRings{replies.usual, replies.stops},
         MachineStores{&shared, &tables, &watch.signals()});
     for (const auto& seat : seats) settle_at_start(*seat);
   }
@@ -207,8 +208,10 @@ struct Machine::Parts {
   InputBook inputs;
   ChangeBook changes;
   InputWatch watch;
-  Ring<OperatorReply> replies;
-  Ring<OperatorReply> stop_replies;
+  struct {
+    Ring<OperatorReply> usual;
+    Ring<OperatorReply> stops;
+  } replies;
   NumberedList<std::unique_ptr<Seat>> seats;
   std::unique_ptr<Coordinator> coordinator;
   std::int64_t cycle = 0;
@@ -256,8 +259,9 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     Channel& channel = parts.seats[k]->channel;
     k < inputs.arrivals.size() ? channel.see_arrivals(inputs.arrivals[k]) : channel.see_arrivals();
   }
+  parts.coordinator->note_gap(parts.cycle, inputs.gap.periods);
   for (const OperatorEvent& event : inputs.events) {
-    if (!parts.coordinator->admits(event)) continue;  // no input: it has no effect
+    if (!parts.coordinator->admits(event, parts.cycle)) continue;  // no input: it has no effect
     parts.inputs.note({.cycle = parts.cycle, .channel = event.channel, .content = event.command});
     parts.coordinator->take(event);
   }
@@ -327,10 +331,10 @@ std::uint64_t Machine::inputs_lost() const RT_SAFE {
   return parts_->inputs.lost();
 }
 Ring<OperatorReply>& Machine::replies() {
-  return parts_->replies;
+  return parts_->replies.usual;
 }
 Ring<OperatorReply>& Machine::stop_replies() {
-  return parts_->stop_replies;
+  return parts_->replies.stops;
 }
 std::vector<RunReport> Machine::runs() const {
   return parts_->reports.runs();

@@ -40,13 +40,20 @@ sockaddr_un address_of(const std::filesystem::path& socket) {
   return address;
 }
 
-int connected_descriptor(const std::filesystem::path& socket) {
+int connected_descriptor(const std::filesystem::path& socket, ClientPurpose purpose) {
   const sockaddr_un address = address_of(socket);
   const int descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   if (descriptor < 0) throw ConnectionError(socket.string() + ": " + system_error_text(errno));
+  // A stop that stands in the row before a daemon which accepts nobody waits no longer than this.
+  const timeval wait{.tv_sec = 1, .tv_usec = 0};
+  if (purpose == ClientPurpose::stop)
+    static_cast<void>(::setsockopt(descriptor, SOL_SOCKET, SO_SNDTIMEO, &wait, sizeof wait));
   if (::connect(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     const int error = errno;
     ::close(descriptor);
+    if (error == EAGAIN)
+      throw ConnectionError("the daemon at " + socket.string() +
+                            " accepts no connection: nothing was sent");
     throw ConnectionError("no daemon at " + socket.string() + ": " + system_error_text(error));
   }
   return descriptor;
@@ -68,28 +75,29 @@ int milliseconds_until(const OperatorClient::Deadline& deadline) {
 
 }  // namespace
 
-OperatorClient::OperatorClient(const std::filesystem::path& socket)
-    : descriptor_(connected_descriptor(socket)), frames_(answer_bytes_max) {
-  std::optional<json> hello;
+OperatorClient::OperatorClient(const std::filesystem::path& socket, ClientPurpose purpose)
+    : descriptor_(connected_descriptor(socket, purpose)),
+      purpose_(purpose),
+      frames_(answer_bytes_max) {
+  if (purpose_ == ClientPurpose::stop) return;
   try {
-    hello = receive(Clock::now() + hello_timeout);
+    await_greeting(socket);
   } catch (...) {
     ::close(descriptor_);
     throw;
   }
-  const json parameters = hello ? hello->value("params", json::object()) : json::object();
-  if (hello && hello->value("method", json()) == "dropped") {
-    turned_away_ = parameters.value("reason", "");
-    return;
-  }
-  if (!hello || hello->value("method", json()) != "hello") {
-    ::close(descriptor_);
-    if (hello && hello->contains("error")) {
-      throw ConnectionError(protocol::failure_from_json((*hello)["error"]).message);
-    }
+}
+
+void OperatorClient::await_greeting(const std::filesystem::path& socket) {
+  const auto first = receive(Clock::now() + hello_timeout);
+  if (!first) throw ConnectionError(socket.string() + ": the daemon does not answer");
+  if (const auto error = first->find("error"); error != first->end())
+    throw ConnectionError(protocol::failure_from_json(*error).message);
+  const json method = first->value("method", json());
+  if (method != "hello" && method != "dropped")
     throw ConnectionError(socket.string() + ": what listens there is not a stanok daemon");
-  }
-  hello_ = parameters;
+  hello_ = first->value("params", json::object());
+  if (method == "dropped") turned_away_ = hello_.value("reason", "");
 }
 
 OperatorClient::~OperatorClient() {
@@ -124,6 +132,7 @@ void OperatorClient::deliver(const json& message) const {
   if (method == message.end() || !method->is_string()) return;
   const auto parameters = message.value("params", json::object());
   if (*method == "dropped") {
+    if (purpose_ == ClientPurpose::stop) return;  // it is answered all the same
     throw ConnectionError("the daemon ended the connection: " + parameters.value("reason", ""));
   }
   if (listener_) listener_(method->get<std::string>(), parameters);

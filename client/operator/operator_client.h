@@ -30,6 +30,12 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
+// What a connection is for.
+enum class ClientPurpose : std::uint8_t {
+  anything,
+  stop,  // sent at once: for it the daemon needs not greet, nor have a place left
+};
+
 class OperatorClient {
  public:
   using Clock = std::chrono::steady_clock;
@@ -38,11 +44,13 @@ class OperatorClient {
 
   // Connects and waits for the daemon's hello. A daemon that has no place left still takes stops.
   // Throws ConnectionError.
-  explicit OperatorClient(const std::filesystem::path& socket);
+  explicit OperatorClient(const std::filesystem::path& socket,
+                          ClientPurpose purpose = ClientPurpose::anything);
   ~OperatorClient();
   OperatorClient(const OperatorClient&) = delete;
   OperatorClient& operator=(const OperatorClient&) = delete;
 
+  // An object; of a daemon without a place it has the channels alone.
   [[nodiscard]] const nlohmann::json& hello() const { return hello_; }
 
   void on_notification(Listener listener) { listener_ = std::move(listener); }
@@ -60,11 +68,13 @@ class OperatorClient {
   [[nodiscard]] std::optional<nlohmann::json> receive(Deadline deadline);
   void send(const std::string& line);
   void deliver(const nlohmann::json& message) const;
+  void await_greeting(const std::filesystem::path& socket);
 
   int descriptor_ = -1;
+  ClientPurpose purpose_;
   int last_id_ = 0;
   protocol::FrameReader frames_;
-  nlohmann::json hello_;                    // empty: there was no place
+  nlohmann::json hello_ = nlohmann::json::object();
   std::optional<std::string> turned_away_;  // why
   Listener listener_;
 };

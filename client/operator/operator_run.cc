@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -24,9 +25,14 @@ using protocol::Course;
 using protocol::Failure;
 
 constexpr double usual_timeout_s = 30.0;
+constexpr double stop_timeout_s = 1.0;
 
 bool waits_for_the_end(const OperatorCall& call) {
   return call.parameters.value("wait", "") == "done";
+}
+
+bool is_stop(const OperatorCall& call) {
+  return call.method->effect == protocol::Effect::stops;
 }
 
 bool is_watching(const OperatorCall& call) {
@@ -41,8 +47,9 @@ bool takes_its_time(const OperatorCall& call) {
 }
 
 OperatorClient::Deadline deadline_of(const OperatorCall& call) {
-  const bool is_long = takes_its_time(call);
-  const double seconds = call.timeout_s > 0.0 ? call.timeout_s : (is_long ? 0.0 : usual_timeout_s);
+  const double usual = is_stop(call) ? stop_timeout_s : usual_timeout_s;
+  const double seconds =
+      call.timeout_s > 0.0 ? call.timeout_s : (takes_its_time(call) ? 0.0 : usual);
   if (seconds <= 0.0) return std::nullopt;
   return OperatorClient::Clock::now() + std::chrono::duration_cast<OperatorClient::Clock::duration>(
                                             std::chrono::duration<double>(seconds));
@@ -173,11 +180,39 @@ int keep_jogging(OperatorClient& client, const OperatorCall& call,
   return 0;
 }
 
+// What begins motion says how old it is, unless the command line does: it is refused where it comes
+// late.
+OperatorCall with_its_age(OperatorCall call, const json& hello) {
+  const bool has_age = std::ranges::any_of(
+      call.method->parameters, [](const auto& one) { return one.name == "seen_cycle"; });
+  if (has_age && !call.parameters.contains("seen_cycle") && hello.contains("cycle"))
+    call.parameters["seen_cycle"] = hello["cycle"];
+  return call;
+}
+
+// Whatever the daemon is busy with. What is not answered may have come all the same.
+int stop(const OperatorCall& call) {
+  OperatorClient client(choose_socket(call.socket), ClientPurpose::stop);
+  auto result = client.call(std::string(call.method->name), call.parameters, deadline_of(call));
+  if (!result && result.error().code == "E9016")
+    result.error().message +=
+        ": it was sent, and takes effect when the daemon gets to it; do not wait for that, use the "
+        "emergency stop of the machine";
+  if (!result) {
+    show_failure(result.error(), call.form);
+    return exit_code(result.error().kind);
+  }
+  show_result(call, *result);
+  return result_exit_code(*result);
+}
+
 }  // namespace
 
-int run_operator_call(const OperatorCall& call) {
-  OperatorClient client(choose_socket(call.socket));
+int run_operator_call(const OperatorCall& given) {
   catch_interrupts();
+  if (is_stop(given) && given.called_for != CalledFor::every_channel) return stop(given);
+  OperatorClient client(choose_socket(given.socket));
+  const OperatorCall call = with_its_age(given, client.hello());
   const auto deadline = deadline_of(call);
   if (call.view != OperatorView::status && is_watching(call)) return watch(client, call, deadline);
   if (call.view == OperatorView::status) return tell_status(client, call, deadline);

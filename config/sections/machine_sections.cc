@@ -89,6 +89,8 @@ const Keys<MachineSection>& machine_keys() {
        "power is removed from axes that still move so long after a stop; 0: twice what the slowest "
        "axis or spindle takes, and a second",
        from(0.0, 3600.0)},
+      {"request_age_max", at<&MachineSection::request_age_max_s>, optional, "s",
+       "a command that begins motion is refused when it was given so long ago", from(0.1, 60.0)},
       {"tables", at<&MachineSection::tables>, optional, "",
        "file with tools and offsets at first start"},
       {"tables_write_protected", at<&MachineSection::tables_write_protected>, optional, "",

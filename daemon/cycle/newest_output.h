@@ -7,6 +7,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <mutex>
 
@@ -24,6 +25,10 @@ class NewestOutput {
   void put(const channels::CycleOutput& output) RT_SAFE;
   // All other threads.
   [[nodiscard]] channels::CycleOutput get();
+  // How long ago it was put.
+  [[nodiscard]] std::chrono::nanoseconds age() const {
+    return std::chrono::steady_clock::now() - put_at_.load(std::memory_order_relaxed);
+  }
 
  private:
   static constexpr unsigned is_new = 4;  // beside the index of the slot between both
@@ -32,6 +37,7 @@ class NewestOutput {
   std::unique_ptr<std::array<channels::CycleOutput, 3>> slots_;
   unsigned written_ = 0;
   std::atomic<unsigned> between_{1};
+  std::atomic<std::chrono::steady_clock::time_point> put_at_{std::chrono::steady_clock::now()};
   std::mutex readers_;
   unsigned read_ = 2;
 };

@@ -5,6 +5,7 @@
 // their own behind it.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -69,6 +70,8 @@ class RunningMachine {
 
   // The output of the newest cycle; cycle 0 before the first one.
   [[nodiscard]] virtual channels::CycleOutput newest_output() = 0;
+  // How long ago that was.
+  [[nodiscard]] virtual std::chrono::nanoseconds output_age() = 0;
   [[nodiscard]] virtual std::vector<channels::RunReport> runs() = 0;
   [[nodiscard]] virtual std::vector<channels::AlarmReport> alarms() = 0;
   [[nodiscard]] virtual std::vector<channels::AlarmReport> load_diagnostics() = 0;

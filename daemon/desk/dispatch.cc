@@ -48,18 +48,19 @@ void log_command(const SessionState& session, const protocol::Request& request,
   }
 }
 
-json greeting(const config::MachineFile& file, const SessionState& session) {
+json channel_names(const config::MachineFile& file) {
   json channels = json::array();
-  for (const auto& channel : file.machine.channels) {
+  for (const auto& channel : file.machine.channels)
     channels.push_back({{"id", channel.id}, {"name", channel.name}});
-  }
-  return {{"server", "stanokd"},
-          {"version", protocol::version},
-          {"api", protocol::api_version},
-          {"machine", file.machine.name},
-          {"channels", std::move(channels)},
-          {"session", session.id},
-          {"role", protocol::role_name(session.role)}};
+  return channels;
+}
+
+json greeting(RunningMachine& machine, const SessionState& session) {
+  const config::MachineFile& file = machine.file();
+  return {{"server", "stanokd"},          {"version", protocol::version},
+          {"api", protocol::api_version}, {"machine", file.machine.name},
+          {"cycle", machine.cycles()},    {"channels", channel_names(file)},
+          {"session", session.id},        {"role", protocol::role_name(session.role)}};
 }
 
 Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
@@ -162,11 +163,7 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
        [](Dispatch& d, Call call) { d.change_queue(std::move(call), &ProgramQueue::remove); }},
       {"queue.move",
        [](Dispatch& d, Call call) { d.change_queue(std::move(call), &ProgramQueue::move); }},
-      {"queue.start",
-       [](Dispatch& d, const Call& call) {
-         return d.queue_.start(d.channel_or_first(call.parameters),
-                               {call.session.id, call.session.peer, call.session.stops_before});
-       }},
+      {"queue.start", [](Dispatch& d, const Call& call) { return d.start_queue(call); }},
       {"queue.stop",
        [](Dispatch& d, const Call& call) {
          return d.queue_.stop(d.channel_or_first(call.parameters), call.session.peer);
@@ -410,6 +407,27 @@ CommandResult Dispatch::tool_get(const json& parameters) const {
       "the table has no tool " + std::to_string(number) + " with edge " + std::to_string(edge));
 }
 
+// What the cycle takes of it comes later, and is looked at there once more.
+CommandResult Dispatch::start_queue(const Call& call) {
+  const int channel = channel_or_first(call.parameters);
+  const AskedAt asked = asked_at(call);
+  const auto& machine = machine_.file().machine;
+  const double age_s =
+      static_cast<double>(machine_.cycles() - asked.cycle) * machine.cycle_us * 1e-6;
+  if (asked.cycle >= 0 && age_s > machine.request_age_max_s)
+    return fail(FailureKind::refused, "E6073", "who asked had seen the machine as it was long ago",
+                channel);
+  return queue_.start(channel, {call.session.id, call.session.peer, asked});
+}
+
+// What a client says that it saw is no newer than what there was when its request came in.
+AskedAt Dispatch::asked_at(const Call& call) {
+  AskedAt asked = call.session.asked_at;
+  const auto seen = call.parameters.find("seen_cycle");
+  if (seen != call.parameters.end()) asked.cycle = std::min(asked.cycle, seen->get<std::int64_t>());
+  return asked;
+}
+
 // Sessions may go before the answer comes; the log entry must not need them.
 void Dispatch::command(const Call& call) {
   const auto log_and_answer = [who = call.session, request = call.request,
@@ -419,7 +437,10 @@ void Dispatch::command(const Call& call) {
   };
   auto event = operator_event(machine_.file(), call.method, call.parameters);
   if (!event) return log_and_answer(Unexpected<Failure>(event.error()));
-  event->stops_before = call.session.stops_before;
+  const AskedAt asked = asked_at(call);
+  event->stops_before = asked.stops_before;
+  event->seen_cycle = asked.cycle;
+  event->session = call.session.id;
   if (const auto obstacle = control_.obstacle(event->action(), event->channel, call.session.id))
     return log_and_answer(Unexpected<Failure>(*obstacle));
   const bool waits = call.method.effect == protocol::Effect::begins_motion &&

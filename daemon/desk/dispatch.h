@@ -12,6 +12,7 @@
 #include <string_view>
 #include <variant>
 
+#include "daemon/cycle/asked_at.h"
 #include "daemon/desk/channel_control.h"
 #include "daemon/desk/command_desk.h"
 #include "daemon/desk/log_desk.h"
@@ -33,12 +34,13 @@ struct SessionState {
   std::string peer;       // for logs: "uid 1000, pid 4711"
   bool is_named = false;  // who works there was told
   Subscription subscription;
-  // Stops that the daemon had taken when the current request came in.
-  std::uint64_t stops_before = std::numeric_limits<std::uint64_t>::max();
+  AskedAt asked_at;  // the current request
 };
 
 // Parameters of the server's first message; any thread.
-[[nodiscard]] nlohmann::json greeting(const config::MachineFile& file, const SessionState& session);
+[[nodiscard]] nlohmann::json greeting(RunningMachine& machine, const SessionState& session);
+// Numbers and names of its channels.
+[[nodiscard]] nlohmann::json channel_names(const config::MachineFile& file);
 
 // Every command and its outcome, in the daemon's own log; any thread.
 void log_command(const SessionState& session, const protocol::Request& request,
@@ -99,6 +101,8 @@ class Dispatch {
   [[nodiscard]] static const std::map<std::string_view, Handler>& handlers();
 
   void command(const Call& call);
+  [[nodiscard]] static AskedAt asked_at(const Call& call);
+  [[nodiscard]] CommandResult start_queue(const Call& call);
   // An answer that notes what has changed of the tables, where it is no refusal.
   [[nodiscard]] Answer noted(const SessionState& session, Answer answer);
   void note_control();

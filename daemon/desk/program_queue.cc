@@ -199,7 +199,8 @@ void ProgramQueue::note(int channel, const channels::OperatorEvent& accepted) {
   const bool goes_on =
       action == OperatorAction::program_start || action == OperatorAction::program_resume;
   if (goes_on && line.under_way != 0 && line.is_accepted)
-    line.starter.stops_before = std::max(line.starter.stops_before, accepted.stops_before);
+    line.starter.asked_at.stops_before =
+        std::max(line.starter.asked_at.stops_before, accepted.stops_before);
   else if (action == OperatorAction::program_start)
     halt(channel, "another program was started");
 }
@@ -239,7 +240,8 @@ void ProgramQueue::begin_next(int channel, Line& line) {
   event.command = channels::commands::ProgramRun{
       .program = channels::ShortText(std::string_view(first.program))};
   event.channel = channel;
-  event.stops_before = line.starter.stops_before;
+  event.stops_before = line.starter.asked_at.stops_before;
+  event.seen_cycle = std::exchange(line.starter.asked_at.cycle, -1);
   line.under_way = first.id;
   line.is_accepted = false;
   spdlog::info("the queue of channel {}, started by {}, begins {}", channel, line.starter.peer,

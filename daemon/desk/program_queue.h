@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/cycle/asked_at.h"
 #include "daemon/desk/background_work.h"
 #include "daemon/desk/channel_control.h"
 #include "daemon/desk/command_desk.h"
@@ -25,11 +26,11 @@ class ProgramQueue {
  public:
   static constexpr std::size_t programs_max = 500;  // of a channel
 
-  // Who lets programs begin, and the stops that had been taken when it was asked for.
+  // Who lets programs begin, and when it was asked for. What follows the first of them has no age.
   struct Starter {
     int session = 0;
     std::string peer;
-    std::uint64_t stops_before = 0;
+    AskedAt asked_at;
   };
 
   // All but the file outlive the queue; what the file holds is taken over. `notes` are kept up to

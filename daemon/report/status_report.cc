@@ -1,6 +1,7 @@
 #include "daemon/report/status_report.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "base/catalogue.h"
@@ -181,6 +182,11 @@ std::string file_of(const ChannelOutput& output, const std::vector<channels::Run
   return is_named ? run->files[output.tag.file] : std::string();
 }
 
+// Of the newest cycle: how long it has been over.
+std::int64_t age_ms(RunningMachine& machine) {
+  return std::chrono::round<std::chrono::milliseconds>(machine.output_age()).count();
+}
+
 }  // namespace
 
 json alarm_json(const channels::AlarmReport& alarm) {
@@ -260,6 +266,7 @@ json StatusReport::machine() const {
   return {{"name", config.name},
           {"cycle_us", config.cycle_us},
           {"cycle", output.cycle},
+          {"age_ms", age_ms(machine_)},
           {"machine_time_s", static_cast<double>(output.cycle) * config.cycle_us * 1e-6},
           {"on", any_drive_enabled(output)},
           {"idle", is_at_rest(output)},
@@ -297,13 +304,14 @@ json StatusReport::channel_list() const {
 }
 
 json StatusReport::channel(int id) const {
-  return channel(config_of(machine_.file().machine, id), output_of(machine_.newest_output(), id),
-                 books());
+  const auto output = machine_.newest_output();
+  return channel(config_of(machine_.file().machine, id), output_of(output, id),
+                 books(output.cycle));
 }
 
 json StatusReport::channels() const {
   const auto output = machine_.newest_output();
-  const Books of_machine = books();
+  const Books of_machine = books(output.cycle);
   json all = json::object();
   for (const auto& config : machine_.file().machine.channels) {
     all[std::to_string(config.id)] = channel(config, output_of(output, config.id), of_machine);
@@ -311,8 +319,8 @@ json StatusReport::channels() const {
   return all;
 }
 
-StatusReport::Books StatusReport::books() const {
-  return {machine_.alarms(), machine_.runs(), machine_.tables(), machine_.drive_status()};
+StatusReport::Books StatusReport::books(std::int64_t cycle) const {
+  return {cycle, machine_.alarms(), machine_.runs(), machine_.tables(), machine_.drive_status()};
 }
 
 json StatusReport::channel(const channels::ChannelConfig& config, const ChannelOutput& output,
@@ -333,6 +341,8 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"name", config.name},
           {"words", words_of(config)},
           {"axis_names", axis_names(machine_.file().machine, config)},
+          {"cycle", books.cycle},
+          {"age_ms", age_ms(machine_)},
           {"state", channel_state_word(output.state)},
           {"program_status", program_status_word(output)},
           {"waits_for", wait_of(output)},

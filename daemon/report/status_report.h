@@ -38,6 +38,7 @@ class StatusReport {
  private:
   // What the machine has beside its newest output.
   struct Books {
+    std::int64_t cycle = 0;  // that newest one
     std::vector<channels::AlarmReport> alarms;
     std::vector<channels::RunReport> runs;
     channels::TablesConfig tables;
@@ -47,7 +48,7 @@ class StatusReport {
   [[nodiscard]] nlohmann::json on_part(const channels::ChannelOutput& output,
                                        const runtime::PlannedPath* path) const;
   enum class AlarmChoice : std::uint8_t { all, active };
-  [[nodiscard]] Books books() const;
+  [[nodiscard]] Books books(std::int64_t cycle) const;
   [[nodiscard]] nlohmann::json channel(const channels::ChannelConfig& config,
                                        const channels::ChannelOutput& output,
                                        const Books& books) const;

@@ -47,13 +47,13 @@ struct OperatorServer::Parts final : Counter {
   // From the reception's thread.
   void on_arrival(std::shared_ptr<Session> session) override;
   void on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
-                std::uint64_t stops_before) override;
+                const AskedAt& asked_at) override;
   void on_departure(int session) override;
   void on_stop_accepted(const channels::OperatorEvent& stop) override;
   void on_end() override { io.stop(); }
 
   void answer_frame(const std::shared_ptr<Session>& session, const protocol::Frame& frame,
-                    std::uint64_t stops_before);
+                    const AskedAt& asked_at);
   void serve();
   void tick();
   void look_after_socket(SteadyTime now);
@@ -77,9 +77,9 @@ void OperatorServer::Parts::on_arrival(std::shared_ptr<Session> session) {
 }
 
 void OperatorServer::Parts::on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
-                                     std::uint64_t stops_before) {
-  asio::post(io, [this, session = std::move(session), frame = std::move(frame), stops_before] {
-    answer_frame(session, frame, stops_before);
+                                     const AskedAt& asked_at) {
+  asio::post(io, [this, session = std::move(session), frame = std::move(frame), asked_at] {
+    answer_frame(session, frame, asked_at);
     session->frame_is_done_soon();
   });
 }
@@ -96,13 +96,13 @@ void OperatorServer::Parts::on_stop_accepted(const channels::OperatorEvent& stop
 }
 
 void OperatorServer::Parts::answer_frame(const std::shared_ptr<Session>& session,
-                                         const protocol::Frame& frame, std::uint64_t stops_before) {
+                                         const protocol::Frame& frame, const AskedAt& asked_at) {
   const auto request = protocol::parse_request(frame.text);
   if (!request) {
     return session->send_soon(protocol::failure_line(request.error().id, request.error().failure));
   }
   dispatch.set_clients(reception.clients());
-  session->state().stops_before = stops_before;
+  session->state().asked_at = asked_at;
   dispatch.handle(session->state(), *request,
                   [asker = std::weak_ptr<Session>(session), id = request->id,
                    wanted = request->wants_answer](const CommandResult& outcome) {

@@ -1,8 +1,11 @@
 #include "daemon/server/reception.h"
 
+#include <fcntl.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
@@ -43,6 +46,36 @@ std::string oversize_answer() {
       nullptr, {FailureKind::invalid_request, "E9001", "a request has at most 1 MiB", 0, {}});
 }
 
+// Descriptors that are given up for who knocks when the system has none left: it may be a stop.
+class ReserveDescriptors {
+ public:
+  ReserveDescriptors() { fill_up(); }
+  ~ReserveDescriptors() {
+    while (give_up_one()) {
+    }
+  }
+  ReserveDescriptors(const ReserveDescriptors&) = delete;
+  ReserveDescriptors& operator=(const ReserveDescriptors&) = delete;
+
+  [[nodiscard]] bool is_full() const { return count_ == descriptors_.size(); }
+  void fill_up() {
+    while (!is_full()) {
+      const int descriptor = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+      if (descriptor < 0) return;
+      descriptors_[count_++] = descriptor;
+    }
+  }
+  bool give_up_one() {
+    if (count_ == 0) return false;
+    ::close(descriptors_[--count_]);
+    return true;
+  }
+
+ private:
+  std::array<int, 8> descriptors_{};
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 struct Reception::Parts {
@@ -56,6 +89,7 @@ struct Reception::Parts {
         stops(used,
               [this](const channels::OperatorEvent& stop) { counter.on_stop_accepted(stop); }),
         ending(used, stops) {
+    acceptor.non_blocking(true);
     for (const int number : ending_signals()) signals.add(number);
     await_signal();
   }
@@ -84,23 +118,26 @@ struct Reception::Parts {
   OrderlyEnd ending;
   ProcessorShare share{round_share, round};
   SessionList sessions;
+  ReserveDescriptors reserve;
   std::atomic<bool> end_asked{false};
   std::atomic<bool> failed{false};
 };
 
+// Somebody must be there before accepting is tried: without descriptors it fails for nobody, too.
 void Reception::Parts::accept() {
-  acceptor.async_accept([this](const error_code& error, LocalSocket::socket socket) {
-    if (error == asio::error::operation_aborted) return;
-    if (!error) {
-      admit(std::move(socket));
+  acceptor.async_wait(LocalSocket::acceptor::wait_read, [this](const error_code& stopped) {
+    if (stopped) return;
+    error_code error;
+    LocalSocket::socket socket(io);
+    acceptor.accept(socket, error);
+    if (!error) admit(std::move(socket));
+    if (!error || error == asio::error::would_block) return accept();
+    if (reserve.give_up_one() || sessions.end_oldest_turned_away(std::chrono::steady_clock::now()))
       return accept();
-    }
-    // Somebody without a place gives up a descriptor for who knocks now.
-    const bool has_room = sessions.end_oldest_turned_away();
-    if (!has_room) spdlog::warn("cannot accept a client: {}", error.message());
-    pause.expires_after(has_room ? std::chrono::milliseconds(0) : accept_retry_pause);
-    pause.async_wait([this](const error_code& stopped) {
-      if (!stopped) accept();
+    spdlog::warn("cannot accept a client: {}", error.message());
+    pause.expires_after(accept_retry_pause);
+    pause.async_wait([this](const error_code& ended) {
+      if (!ended) accept();
     });
   });
 }
@@ -108,17 +145,18 @@ void Reception::Parts::accept() {
 void Reception::Parts::admit(LocalSocket::socket socket) {
   const auto session =
       std::make_shared<Session>(std::move(socket), sessions.next_id(), limits.panel_user);
-  const bool has_room = sessions.places_taken() < limits.clients_max || sessions.make_room();
+  const bool has_room =
+      reserve.is_full() && (sessions.places_taken() < limits.clients_max || sessions.make_room());
   sessions.add(session);
   session->start([this](Session& from, const protocol::Frame& frame) { take_frame(from, frame); },
                  [this](int id) { forget(id); });
   if (has_room) {
-    session->send(protocol::notification_line("hello", greeting(machine.file(), session->state())));
+    session->send(protocol::notification_line("hello", greeting(machine, session->state())));
     counter.on_arrival(session);
   } else {
-    session->turn_away("E9008", "there are too many clients");
+    session->turn_away("E9008", "there are too many clients", channel_names(machine.file()));
     if (sessions.size() > limits.clients_max + limits.turned_away_max)
-      static_cast<void>(sessions.end_oldest_turned_away());
+      static_cast<void>(sessions.end_oldest_turned_away(std::chrono::steady_clock::now()));
   }
   sessions.count_places();
 }
@@ -132,7 +170,7 @@ void Reception::Parts::take_frame(Session& session, const protocol::Frame& frame
   if (frame.kind == protocol::FrameKind::oversize) return session.send(oversize_answer());
   if (take_stop(session, frame) || session.is_turned_away()) return;
   session.note_frame_handed_on();
-  counter.on_frame(session.shared_from_this(), frame, machine.stops_taken());
+  counter.on_frame(session.shared_from_this(), frame, {machine.stops_taken(), machine.cycles()});
 }
 
 // False: it is none. What cannot be read is answered where all requests are.
@@ -212,6 +250,7 @@ void Reception::Parts::serve_one_round() {
   }
   stops.tick(std::chrono::steady_clock::now());
   drop_overdue();
+  reserve.fill_up();
 }
 
 Reception::Reception(ListeningSocket& socket, RunningMachine& machine, Counter& counter,
@@ -257,6 +296,7 @@ void Reception::listen_on(int descriptor) {
     error_code ignored;
     ignored = parts->acceptor.close(ignored);
     parts->acceptor = LocalSocket::acceptor(parts->io, LocalSocket(), descriptor);
+    parts->acceptor.non_blocking(true);
     parts->accept();
   });
 }

@@ -7,8 +7,9 @@
 // half of a processor, so that who floods it starves nobody.
 //
 // At most 64 clients have a place; an observer makes room for an operator. Who finds none is told
-// so (E9008) and may still send a stop, for two seconds. The orderly end is here too: it needs
-// nobody else, and no memory that is not there already.
+// so (E9008) and may still send a stop, for two seconds; so it is when the system has no
+// descriptors left, for some are kept in reserve. The orderly end is here too: it needs nobody
+// else, and no memory that is not there already.
 #pragma once
 
 #include <functional>
@@ -40,7 +41,7 @@ class Counter {
   virtual void on_arrival(std::shared_ptr<Session> session) = 0;
   // To be told when it is done with: Session::frame_is_done_soon.
   virtual void on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
-                        std::uint64_t stops_before) = 0;
+                        const AskedAt& asked_at) = 0;
   virtual void on_departure(int session) = 0;
   virtual void on_stop_accepted(const channels::OperatorEvent& stop) = 0;
   // The orderly end is over.

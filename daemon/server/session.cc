@@ -108,9 +108,12 @@ void Session::send_soon(std::string line) {
   });
 }
 
-void Session::turn_away(const std::string& code, const std::string& reason) {
-  send(protocol::notification_line("dropped", {{"code", code}, {"reason", reason}}));
+void Session::turn_away(const std::string& code, const std::string& reason,
+                        const nlohmann::json& channels) {
+  send(protocol::notification_line("dropped",
+                                   {{"code", code}, {"reason", reason}, {"channels", channels}}));
   farewell_.turned_away = true;
+  farewell_.begun = now();
   stay_for(last_word_time);
 }
 

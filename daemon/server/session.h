@@ -46,14 +46,20 @@ class Session : public std::enable_shared_from_this<Session> {
   void note_frame_handed_on() { ++inflow_.handed_on; }
   void frame_is_done_soon();  // any thread
 
-  // Tells the client that it has no place. Until `drop_overdue` ends it, frames still come.
-  void turn_away(const std::string& code, const std::string& reason);
+  // Tells the client that it has no place, and the channels that it may stop. Until `drop_overdue`
+  // ends it, frames still come.
+  void turn_away(const std::string& code, const std::string& reason,
+                 const nlohmann::json& channels);
   [[nodiscard]] bool is_turned_away() const { return farewell_.turned_away; }
   void stay_for(std::chrono::seconds time) { farewell_.last_word_until = now() + time; }
 
   // Tells the client why, and ends the session when it has read that, or at `last_word_until`.
   void drop(const std::string& code, const std::string& reason);
   [[nodiscard]] bool has_place() const { return !farewell_.dropping && !farewell_.turned_away; }
+  // It was turned away, and has had the time to send a stop.
+  [[nodiscard]] bool may_be_ended(Time now) const {
+    return farewell_.turned_away && now > farewell_.begun + time_for_a_stop;
+  }
   [[nodiscard]] bool has_overstayed(Time now) const {
     return !has_place() && now > farewell_.last_word_until;
   }
@@ -72,6 +78,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
  private:
   static constexpr int frames_handed_on_max = 16;
+  static constexpr std::chrono::milliseconds time_for_a_stop{20};
   // What comes in.
   struct Inflow {
     std::array<char, 4096> received{};
@@ -84,6 +91,7 @@ class Session : public std::enable_shared_from_this<Session> {
   struct Farewell {
     bool dropping = false;
     bool turned_away = false;
+    Time begun{};
     Time last_word_until{};
   };
 

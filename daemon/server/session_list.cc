@@ -32,8 +32,8 @@ bool SessionList::make_room() {
   return true;
 }
 
-bool SessionList::end_oldest_turned_away() {
-  const auto session = oldest([](const Session& one) { return one.is_turned_away(); });
+bool SessionList::end_oldest_turned_away(Session::Time now) {
+  const auto session = oldest([&](const Session& one) { return one.may_be_ended(now); });
   if (session == nullptr) return false;
   session->close();
   return true;

@@ -31,7 +31,7 @@ class SessionList {
   // Ends the session of the observer who has been here longest; false: there is none.
   [[nodiscard]] bool make_room();
   // Ends the session that was turned away first; false: there is none.
-  [[nodiscard]] bool end_oldest_turned_away();
+  [[nodiscard]] bool end_oldest_turned_away(Session::Time now);
 
  private:
   using Condition = std::function<bool(const Session& session)>;

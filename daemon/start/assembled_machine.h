@@ -53,6 +53,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] std::uint64_t stops_taken() override { return events_.stops_put(); }
   [[nodiscard]] std::int64_t cycles() override { return cycles_; }
   [[nodiscard]] channels::CycleOutput newest_output() override { return newest_.get(); }
+  [[nodiscard]] std::chrono::nanoseconds output_age() override { return newest_.age(); }
   [[nodiscard]] std::vector<channels::RunReport> runs() override {
     return assembly_.machine().runs();
   }

@@ -21,9 +21,9 @@ constexpr std::size_t mill_B = 3;
 constexpr std::size_t mill_C = 4;
 
 // Drives that obey at once, but for those that are told not to.
-class SchemeSwitch : public ::testing::Test {
+class SchemeSwitchTest : public ::testing::Test {
  protected:
-  SchemeSwitch() {
+  SchemeSwitchTest() {
     MachineConfig config = testing::two_channel_machine();
     config.channels[0].schemes[0].zero = {-300.0, -40.0, -100.0};
     std::get<kinematics::HeadTable::Geometry>(config.channels[0].schemes[1].geometry)
@@ -69,7 +69,7 @@ class SchemeSwitch : public ::testing::Test {
   std::array<bool, 5> stuck_open{};
 };
 
-TEST_F(SchemeSwitch, BrakesAndReleasesWhatLeavesAndJoins) {
+TEST_F(SchemeSwitchTest, BrakesAndReleasesWhatLeavesAndJoins) {
   run("#kinematics (2, 1)\nG0 B10 C20\n#kinematics (1, 1)\nM30\n");
   EXPECT_EQ(alarm(), "");
   const ChannelOutput& channel = bench->channel(1);
@@ -81,7 +81,7 @@ TEST_F(SchemeSwitch, BrakesAndReleasesWhatLeavesAndJoins) {
   }
 }
 
-TEST_F(SchemeSwitch, StaysWithTheOldSchemeWhenADriveDoesNotSwitchOn) {
+TEST_F(SchemeSwitchTest, StaysWithTheOldSchemeWhenADriveDoesNotSwitchOn) {
   dead[mill_C] = true;
   run("#kinematics (2, 1)\nG0 C20\nM30\n");
   EXPECT_THAT(bench->alarm_codes(), ElementsAre("E5205"));
@@ -96,7 +96,7 @@ TEST_F(SchemeSwitch, StaysWithTheOldSchemeWhenADriveDoesNotSwitchOn) {
   EXPECT_EQ(bench->channel(1).axes[mill_C].position, 20.0);
 }
 
-TEST_F(SchemeSwitch, StaysWithTheOldSchemeWhenABrakeDoesNotClose) {
+TEST_F(SchemeSwitchTest, StaysWithTheOldSchemeWhenABrakeDoesNotClose) {
   run("#kinematics (2, 1)\nG0 B10 C20\nM30\n");
   stuck_open[mill_C] = true;
   run("#kinematics (1, 1)\nM30\n");
@@ -112,7 +112,7 @@ TEST_F(SchemeSwitch, StaysWithTheOldSchemeWhenABrakeDoesNotClose) {
   EXPECT_EQ(bench->channel(1).axes[mill_B].position, 5.0);
 }
 
-TEST_F(SchemeSwitch, FailsTheMasterThatAskedForIt) {
+TEST_F(SchemeSwitchTest, FailsTheMasterThatAskedForIt) {
   dead[mill_B] = true;
   run("#kinematics (2, 1)\nM30\n", 2);
   EXPECT_THAT(alarm(), HasSubstr("E5205 the drive of axis B does not switch on"));
@@ -120,7 +120,7 @@ TEST_F(SchemeSwitch, FailsTheMasterThatAskedForIt) {
   EXPECT_EQ(bench->channel(2).state, ChannelState::alarm);
 }
 
-TEST_F(SchemeSwitch, NeedsAxesThatAreHomed) {
+TEST_F(SchemeSwitchTest, NeedsAxesThatAreHomed) {
   drives[mill_B].referenced = false;
   run("#kinematics (2, 1)\nM30\n");
   EXPECT_THAT(alarm(), HasSubstr("axis B is not homed"));
@@ -130,7 +130,7 @@ TEST_F(SchemeSwitch, NeedsAxesThatAreHomed) {
   EXPECT_EQ(bench->replies().back().code.view(), "E5208");
 }
 
-TEST_F(SchemeSwitch, TheSamePoseIsTheSameTipInBothSchemes) {
+TEST_F(SchemeSwitchTest, TheSamePoseIsTheSameTipInBothSchemes) {
   // The bases lie at (-300, -40, -100) and, with the head upright, at (0, 0, -150) of M.
   run("G0 X310 Y55 Z-20\n"
       "num x = $pos[X];\nnum y = $pos[Y];\nnum z = $pos[Z];\n"
@@ -143,7 +143,7 @@ TEST_F(SchemeSwitch, TheSamePoseIsTheSameTipInBothSchemes) {
   EXPECT_EQ(alarm(), "");
 }
 
-TEST_F(SchemeSwitch, ParkedAxesCannotBeProgrammed) {
+TEST_F(SchemeSwitchTest, ParkedAxesCannotBeProgrammed) {
   run("G0 B5\nM30\n");
   EXPECT_THAT(alarm(), HasSubstr("E5102 axis B takes no part in scheme 1"));
   EXPECT_EQ(bench->channel(1).axes[mill_B].position, 0.0);

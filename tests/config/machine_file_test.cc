@@ -21,6 +21,7 @@ name = "full"
 cycle_us = 500
 stop_limits = 1.5
 stop_time_max = 2.5
+request_age_max = 0.25
 catch_up_max = 5
 tables = "tables.toml"
 
@@ -275,6 +276,7 @@ TEST_F(FullFile, BusAndServicesAreRead) {
   EXPECT_EQ(file_.bus.timeout_ms, 300);
   EXPECT_EQ(file_.machine.cycle_us, 500);
   EXPECT_EQ(file_.machine.stop_time_max_s, 2.5);
+  EXPECT_EQ(file_.machine.request_age_max_s, 0.25);
   EXPECT_EQ(file_.machine.catch_up_max, 5);
   EXPECT_EQ(file_.lcm_url, "udpm://239.255.76.67:7668?ttl=1");
   EXPECT_EQ(file_.recorder.directory, files_.folder() / "logs");

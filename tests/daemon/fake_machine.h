@@ -97,6 +97,7 @@ class FakeMachine final : public RunningMachine {
   [[nodiscard]] std::uint64_t stops_taken() override { return 0; }
   [[nodiscard]] std::int64_t cycles() override { return copy(output).cycle; }
   [[nodiscard]] channels::CycleOutput newest_output() override { return copy(output); }
+  [[nodiscard]] std::chrono::nanoseconds output_age() override { return {}; }
   [[nodiscard]] std::vector<channels::RunReport> runs() override { return copy(run_reports); }
   [[nodiscard]] std::vector<channels::AlarmReport> alarms() override { return copy(alarm_reports); }
   [[nodiscard]] std::optional<channels::SearchReport> search(int) override {

@@ -63,7 +63,7 @@ class LiveDaemon {
 
  private:
   static std::string machine_text() {
-    std::string text = "[machine]\nname = \"live\"\n";
+    std::string text = "[machine]\nname = \"live\"\nrequest_age_max = 30\n";
     for (const char* axis : {"X", "Y"}) {
       text += std::string("[[axis]]\nname = \"") + axis +
               "\"\nkind = \"linear\"\nmin = -500\nmax = 500\nvelocity_max = 250\n"

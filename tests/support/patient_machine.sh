@@ -4,7 +4,7 @@
 # shellcheck shell=bash
 
 # patient_machine MACHINE_FILE FOLDER: a copy of the machine file, with what belongs to it, in FOLDER/machine,
-# that waits 30 s for its drives. Prints its path.
+# that waits 30 s for its drives and takes commands that are 30 s old. Prints its path.
 patient_machine() {
   local copy=$2/machine/${1##*/} belongings=${1%.toml}
   mkdir -p "$2/machine"
@@ -12,6 +12,6 @@ patient_machine() {
   if [[ -d $belongings ]]; then cp -r "$belongings" "$2/machine/"; fi
   sed -i '/^timeout_ms = /d' "$copy"
   grep -q '^\[drives\]' "$copy" || printf '\n[drives]\nbus = "modbus-tcp"\n' >>"$copy"
-  sed -i 's/^\[drives\]$/&\ntimeout_ms = 30000/' "$copy"
+  sed -i 's/^\[drives\]$/&\ntimeout_ms = 30000/; s/^\[machine\]$/&\nrequest_age_max = 30/' "$copy"
   printf '%s\n' "$copy"
 }

@@ -44,6 +44,10 @@ class Operator:
         self.lines = self.socket.makefile("rb")
         self.last_id = 0
 
+    def close(self):
+        self.lines.close()
+        self.socket.close()
+
     def answer(self, method, /, **parameters):
         """The whole answer: with "result" or "error"."""
         self.last_id += 1
@@ -79,9 +83,9 @@ def wait_for_socket(process, path):
             time.sleep(0.05)
 
 
-def patient_machine(machine_file, folder):
-    """A copy of the machine file, with what belongs to it, that waits 30 s for its drives: those inside a daemon wait
-    longer than the drives of a machine where the computer runs other tests beside. As patient_machine.sh."""
+def patient_machine(machine_file, folder, request_age_max_s=30):
+    """A copy of the machine file, with what belongs to it, that waits 30 s for its drives and takes commands that
+    are 30 s old: those inside a daemon wait longer than the drives of a machine where the computer runs other tests beside. As patient_machine.sh."""
     machine = os.path.join(folder, "machine")
     os.mkdir(machine)
     belongings = machine_file.removesuffix(".toml")
@@ -92,6 +96,7 @@ def patient_machine(machine_file, folder):
     if "[drives]" not in lines:
         lines += ["[drives]", 'bus = "modbus-tcp"']
     lines.insert(lines.index("[drives]") + 1, "timeout_ms = 30000")
+    lines.insert(lines.index("[machine]") + 1, f"request_age_max = {request_age_max_s}")
     copy = os.path.join(machine, os.path.basename(machine_file))
     with open(copy, "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
@@ -99,16 +104,24 @@ def patient_machine(machine_file, folder):
 
 
 @contextlib.contextmanager
-def running_daemon(stanokd, machine_file, program, error=subprocess.DEVNULL, options=()):
-    """`error`: where the log of the daemon goes."""
+def running_daemon(stanokd, machine_file, program, error=subprocess.DEVNULL, options=(), descriptors=0,
+                   impatient=False):
+    """`error`: where the log of the daemon goes. `descriptors`: that it may have; 0: as this process. `impatient`: what
+    begins motion is refused when it is half a second old."""
+
+    def limit():
+        if descriptors:
+            resource.setrlimit(resource.RLIMIT_NOFILE, (descriptors, descriptors))
+
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "op.sock")
         with open(os.path.join(folder, "part.nc"), "w", encoding="utf-8") as part:
             part.write(program)
-        machine_file = patient_machine(machine_file, folder)
+        machine_file = patient_machine(machine_file, folder, 0.5 if impatient else 30)
         process = subprocess.Popen([stanokd, "--machine", machine_file, "--drives", "embedded", "--lcm", "off",
                                     "--state", os.path.join(folder, "state"), "--socket", path,
-                                    "--program-root", folder, *options], stderr=error)
+                                    "--program-root", folder, *options], stderr=error,
+                                   preexec_fn=limit)
         try:
             wait_for_socket(process, path)
             yield Daemon(process, path)

@@ -31,7 +31,7 @@ class ProgramQueueTest : public ::testing::Test {
   }
   void add(const std::string& program) { changed(&ProgramQueue::add, {{"program", program}}); }
   CommandResult start(int session = 3) {
-    return queue.start(1, {session, "a person", stops_taken});
+    return queue.start(1, {session, "a person", {.stops_before = stops_taken}});
   }
   json line() { return queue.list(1)["queues"][0]; }
   std::string program_begun() {

@@ -23,7 +23,7 @@ class CounterWithoutMemory final : public Counter {
 
   void on_arrival(std::shared_ptr<Session> /*session*/) override {}
   void on_frame(std::shared_ptr<Session> /*session*/, protocol::Frame /*frame*/,
-                std::uint64_t /*stops_before*/) override {}
+                const AskedAt& /*asked_at*/) override {}
   void on_departure(int /*session*/) override {
     ++departures;
     throw std::bad_alloc();

@@ -32,7 +32,7 @@ TEST_F(SessionListTest, CountsThoseWhoHaveAPlace) {
   const auto first = connect(protocol::Role::machine_operator);
   const auto second = connect(protocol::Role::observer);
   EXPECT_EQ(sessions.places_taken(), 2U);
-  second->turn_away("E9008", "there are too many clients");
+  second->turn_away("E9008", "there are too many clients", {});
   sessions.count_places();
   EXPECT_EQ(sessions.places_taken(), 1U);
   EXPECT_EQ(sessions.size(), 2U) << "it is still listened to";
@@ -53,12 +53,13 @@ TEST_F(SessionListTest, TheOldestObserverMakesRoom) {
 }
 
 TEST_F(SessionListTest, WhoWasTurnedAwayFirstGoesFirst) {
-  EXPECT_FALSE(sessions.end_oldest_turned_away());
+  const auto now = std::chrono::steady_clock::now();
+  EXPECT_FALSE(sessions.end_oldest_turned_away(now));
   const auto stays = connect(protocol::Role::observer);
   const auto first = connect(protocol::Role::observer);
   const auto second = connect(protocol::Role::observer);
-  second->turn_away("E9008", "there are too many clients");
-  first->turn_away("E9008", "there are too many clients");
+  second->turn_away("E9008", "there are too many clients", {});
+  first->turn_away("E9008", "there are too many clients", {});
   std::vector<int> ended;
   for (const auto& session : sessions.all())
     session->start([](Session&, const protocol::Frame&) {},
@@ -66,7 +67,8 @@ TEST_F(SessionListTest, WhoWasTurnedAwayFirstGoesFirst) {
                      ended.push_back(id);
                      sessions.forget(id);
                    });
-  EXPECT_TRUE(sessions.end_oldest_turned_away());
+  EXPECT_FALSE(sessions.end_oldest_turned_away(now)) << "it may be about to send a stop";
+  EXPECT_TRUE(sessions.end_oldest_turned_away(now + std::chrono::seconds(1)));
   io.poll();
   EXPECT_EQ(ended, std::vector<int>{first->id()});
 }

@@ -1,0 +1,72 @@
+#include "channels/coordinator/request_gate.h"
+
+#include <cmath>
+
+#include "channels/cycle/channel.h"
+
+namespace stanok::channels {
+namespace {
+
+const commands::Jog* leased_jog(const OperatorEvent& event) RT_SAFE {
+  const auto* jog = std::get_if<commands::Jog>(&event.command);
+  return jog != nullptr && jog->increment == 0.0 ? jog : nullptr;
+}
+
+bool is_renewal(const OperatorEvent& event, const Channel* named) RT_SAFE {
+  const commands::Jog* const jog = leased_jog(event);
+  if (jog == nullptr || named == nullptr) return false;
+  const ManualMotion& manual = named->motion.manual();
+  if (jog->frame != JogFrame::machine) return manual.jogs_along_line();
+  return manual.jogs(named->axes.named(jog->axis.view()));
+}
+
+// An override that lets a path go on, or go faster.
+bool raises_override(const OperatorEvent& event, const Channel& channel) RT_SAFE {
+  if (const auto* feed = std::get_if<commands::OverrideFeed>(&event.command))
+    return feed->factor > channel.switches.feed_override();
+  if (const auto* rapid = std::get_if<commands::OverrideRapid>(&event.command))
+    return rapid->factor > channel.switches.rapid_override();
+  return false;
+}
+
+bool lets_move(const OperatorEvent& event, const Channel* named) RT_SAFE {
+  return begins_motion(event.action()) || (named != nullptr && raises_override(event, *named));
+}
+
+}  // namespace
+
+RequestGate::RequestGate(double cycle_s, double age_max_s)
+    : cycle_s_(cycle_s), cycles_max_(std::llround(age_max_s / cycle_s)) {}
+
+void RequestGate::note_gap(std::int64_t cycle, std::int64_t periods) RT_SAFE {
+  if (periods > cycles_max_) seen_since_ = cycle;
+}
+
+std::optional<Verdict> RequestGate::refusal_of(const OperatorEvent& event, std::int64_t cycle,
+                                               const Channel* named, int index) const RT_SAFE {
+  const bool renews = is_renewal(event, named);
+  if (leased_jog(event) != nullptr && named != nullptr && named->motion.manual().is_jogging() &&
+      jogger_[index] != event.session)
+    return refusal("E6056", "another session jogs this channel");
+  if (renews || !lets_move(event, named) || !is_too_old(event, cycle)) return std::nullopt;
+  Verdict verdict = refusal("E6073", "");
+  const auto tenths =
+      std::llround(10.0 * static_cast<double>(cycle - event.seen_cycle) * cycle_s_);
+  verdict.text.append("who asked had seen the machine as it was ")
+      .append(static_cast<long>(tenths / 10))
+      .append(".")
+      .append(static_cast<long>(tenths % 10))
+      .append(" s ago");
+  return verdict;
+}
+
+void RequestGate::note(const OperatorEvent& event, int index) RT_SAFE {
+  if (index >= 0 && leased_jog(event) != nullptr) jogger_[index] = event.session;
+}
+
+bool RequestGate::is_too_old(const OperatorEvent& event, std::int64_t cycle) const RT_SAFE {
+  if (event.seen_cycle < 0) return false;
+  return event.seen_cycle < seen_since_ || cycle - event.seen_cycle > cycles_max_;
+}
+
+}  // namespace stanok::channels
