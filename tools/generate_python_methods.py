@@ -23,8 +23,7 @@ from typing import Any, Literal
 
 Call = Callable[[str, dict[str, Any]], dict[str, Any]]
 
-
-def _given(**params: Any) -> dict[str, Any]:
+%SETS%def _given(**params: Any) -> dict[str, Any]:
     """Parameters without those that are left out; a name that Python has taken ends in _ here."""
     return {name.removesuffix("_"): value for name, value in params.items() if value is not None}
 '''
@@ -91,6 +90,12 @@ def wrapped_choices(argument):
     return textwrap.fill(argument, 104, subsequent_indent="    ", break_long_words=False)
 
 
+def named_set(name, effect, methods):
+    listed = ", ".join(f'"{method["name"]}"' for method in methods if method["x-effect"] == effect)
+    lines = textwrap.fill(listed, 104, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
+    return f"{name} = frozenset({{\n{lines},\n}})\n" + ("\n\n" if name == "MOVES" else "")
+
+
 def class_name(noun):
     return "".join(part.capitalize() for part in noun.split("_")) + "Methods"
 
@@ -103,7 +108,7 @@ def text_of(methods):
             nouns.setdefault(noun, []).append((verb, method))
         else:
             alone.append(method)
-    text = HEAD
+    text = HEAD.replace("%SETS%", named_set("STOPS", "stops", methods) + named_set("MOVES", "begins_motion", methods))
     for noun, verbs in nouns.items():
         text += f'\n\nclass {class_name(noun)}:\n    """Methods ``{noun}.*``."""\n\n'
         text += "    def __init__(self, call: Call) -> None:\n        self._call = call\n"

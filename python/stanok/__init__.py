@@ -50,7 +50,7 @@ from .kinematics import Jets, Kinematics
 from .logs import Log, open_log, read_log
 from .machine import Axis, Channel, Machine, Scheme, load_machine
 from .programs import example_machine, example_program
-from .rpc import Client, Notification, connect
+from .rpc import Client, Notification, connect, stop
 from .setpoints import ALL_COLUMNS, USUAL_COLUMNS, Setpoints
 from .simulation import Event, OperatorEvent, Run, Simulation, simulate
 

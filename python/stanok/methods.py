@@ -10,6 +10,14 @@ from typing import Any, Literal
 
 Call = Callable[[str, dict[str, Any]], dict[str, Any]]
 
+STOPS = frozenset({
+    "machine.off", "machine.estop", "program.hold", "program.stop", "program.reset",
+})
+MOVES = frozenset({
+    "machine.on", "program.run", "program.start", "program.resume", "queue.start", "kinematics.select",
+    "mdi", "jog", "home",
+})
+
 
 def _given(**params: Any) -> dict[str, Any]:
     """Parameters without those that are left out; a name that Python has taken ends in _ here."""
@@ -22,12 +30,15 @@ class MachineMethods:
     def __init__(self, call: Call) -> None:
         self._call = call
 
-    def on(self) -> dict[str, Any]:
+    def on(self, *, seen_cycle: int | None = None) -> dict[str, Any]:
         """Switch on the drives of the axes that take part.
 
         ``machine.on``, for the role operator.
+
+        Args:
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("machine.on", _given())
+        return self._call("machine.on", _given(seen_cycle=seen_cycle))
 
     def off(self) -> dict[str, Any]:
         """Stop all channels and switch the drives off.
@@ -263,6 +274,7 @@ class ProgramMethods:
         *,
         channel: int | None = None,
         wait: Literal["accepted", "done"] | None = None,
+        seen_cycle: int | None = None,
     ) -> dict[str, Any]:
         """Load a program and start it.
 
@@ -272,8 +284,9 @@ class ProgramMethods:
             program: program file beneath the program root.
             channel: channel; default: the first one; 1 to 999.
             wait: when the answer comes: request accepted, or work done.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("program.run", _given(program=program, channel=channel, wait=wait))
+        return self._call("program.run", _given(program=program, channel=channel, wait=wait, seen_cycle=seen_cycle))
 
     def start(
         self,
@@ -281,6 +294,7 @@ class ProgramMethods:
         channel: int | None = None,
         wait: Literal["accepted", "done"] | None = None,
         situation: int | None = None,
+        seen_cycle: int | None = None,
     ) -> dict[str, Any]:
         """Start the loaded program; continue it when held.
 
@@ -291,8 +305,10 @@ class ProgramMethods:
             wait: when the answer comes: request accepted, or work done.
             situation: situation of the channel in the status that was looked at; refused where it has
                 changed since; 1 to 2147483647.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("program.start", _given(channel=channel, wait=wait, situation=situation))
+        return self._call("program.start", _given(
+            channel=channel, wait=wait, situation=situation, seen_cycle=seen_cycle))
 
     def hold(self, *, channel: int | None = None) -> dict[str, Any]:
         """Feed hold: come to rest along the path.
@@ -304,15 +320,16 @@ class ProgramMethods:
         """
         return self._call("program.hold", _given(channel=channel))
 
-    def resume(self, *, channel: int | None = None) -> dict[str, Any]:
+    def resume(self, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
         """Continue after a feed hold.
 
         ``program.resume``, for the role operator.
 
         Args:
             channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("program.resume", _given(channel=channel))
+        return self._call("program.resume", _given(channel=channel, seen_cycle=seen_cycle))
 
     def stop(self, *, channel: int | None = None) -> dict[str, Any]:
         """Hold, then end the program without an alarm.
@@ -425,7 +442,13 @@ class OverrideMethods:
     def __init__(self, call: Call) -> None:
         self._call = call
 
-    def feed(self, percent: float, *, channel: int | None = None) -> dict[str, Any]:
+    def feed(
+        self,
+        percent: float,
+        *,
+        channel: int | None = None,
+        seen_cycle: int | None = None,
+    ) -> dict[str, Any]:
         """Feed override of a channel.
 
         ``override.feed``, for the role operator.
@@ -433,10 +456,17 @@ class OverrideMethods:
         Args:
             percent: percent of the programmed value; 0 to 200 %.
             channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("override.feed", _given(percent=percent, channel=channel))
+        return self._call("override.feed", _given(percent=percent, channel=channel, seen_cycle=seen_cycle))
 
-    def rapid(self, percent: float, *, channel: int | None = None) -> dict[str, Any]:
+    def rapid(
+        self,
+        percent: float,
+        *,
+        channel: int | None = None,
+        seen_cycle: int | None = None,
+    ) -> dict[str, Any]:
         """Rapid override of a channel.
 
         ``override.rapid``, for the role operator.
@@ -444,8 +474,9 @@ class OverrideMethods:
         Args:
             percent: percent of the programmed value; 0 to 100 %.
             channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("override.rapid", _given(percent=percent, channel=channel))
+        return self._call("override.rapid", _given(percent=percent, channel=channel, seen_cycle=seen_cycle))
 
     def spindle(self, percent: float, *, channel: int | None = None) -> dict[str, Any]:
         """Spindle override of a channel.
@@ -509,7 +540,7 @@ class QueueMethods:
         """
         return self._call("queue.move", _given(id=id, place=place, channel=channel))
 
-    def start(self, *, channel: int | None = None) -> dict[str, Any]:
+    def start(self, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
         """Run the programs of the queue one after the other, until one fails, somebody stops or resets something,
         takes the channel, or an alarm comes.
 
@@ -517,8 +548,9 @@ class QueueMethods:
 
         Args:
             channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("queue.start", _given(channel=channel))
+        return self._call("queue.start", _given(channel=channel, seen_cycle=seen_cycle))
 
     def stop(self, *, channel: int | None = None) -> dict[str, Any]:
         """Begin no further program; the one under way goes on.
@@ -547,7 +579,7 @@ class KinematicsMethods:
         """
         return self._call("kinematics.list", _given(channel=channel))
 
-    def select(self, scheme: int, *, channel: int | None = None) -> dict[str, Any]:
+    def select(self, scheme: int, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
         """Switch the channel to another scheme; the channel must be idle.
 
         ``kinematics.select``, for the role operator.
@@ -555,8 +587,9 @@ class KinematicsMethods:
         Args:
             scheme: kinematic scheme of the channel; 0 to 9999.
             channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("kinematics.select", _given(scheme=scheme, channel=channel))
+        return self._call("kinematics.select", _given(scheme=scheme, channel=channel, seen_cycle=seen_cycle))
 
     def status(self, *, channel: int | None = None) -> dict[str, Any]:
         """Active scheme, its axes, their drives and brakes.
@@ -1321,6 +1354,7 @@ class Methods:
         channel: int | None = None,
         wait: Literal["accepted", "done"] | None = None,
         situation: int | None = None,
+        seen_cycle: int | None = None,
     ) -> dict[str, Any]:
         """Execute one line of program text: a block or a statement.
 
@@ -1332,8 +1366,10 @@ class Methods:
             wait: when the answer comes: request accepted, or work done.
             situation: situation of the channel in the status that was looked at; refused where it has
                 changed since; 1 to 2147483647.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("mdi", _given(text=text, channel=channel, wait=wait, situation=situation))
+        return self._call("mdi", _given(
+            text=text, channel=channel, wait=wait, situation=situation, seen_cycle=seen_cycle))
 
     def jog(
         self,
@@ -1343,6 +1379,7 @@ class Methods:
         increment: float | None = None,
         frame: Literal["machine", "tool", "plane"] | None = None,
         channel: int | None = None,
+        seen_cycle: int | None = None,
     ) -> dict[str, Any]:
         """Jog an axis: by an increment, or for 200 ms at a time; repeat the command to keep it moving.
 
@@ -1357,11 +1394,19 @@ class Methods:
                 the workpiece as programs see it now, tilted planes included; the tool goes straight then,
                 and the rotary axes stand.
             channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
         return self._call("jog", _given(
-            axis=axis, velocity=velocity, increment=increment, frame=frame, channel=channel))
+            axis=axis, velocity=velocity, increment=increment, frame=frame, channel=channel,
+            seen_cycle=seen_cycle))
 
-    def home(self, *, axis: str | None = None, channel: int | None = None) -> dict[str, Any]:
+    def home(
+        self,
+        *,
+        axis: str | None = None,
+        channel: int | None = None,
+        seen_cycle: int | None = None,
+    ) -> dict[str, Any]:
         """Home the axes of a channel in the order of the machine file: find home switch or index pulse; answers
         when it is done.
 
@@ -1370,8 +1415,9 @@ class Methods:
         Args:
             axis: one axis only; default: all of the channel.
             channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
-        return self._call("home", _given(axis=axis, channel=channel))
+        return self._call("home", _given(axis=axis, channel=channel, seen_cycle=seen_cycle))
 
     def subscribe(
         self,

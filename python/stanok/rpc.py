@@ -25,15 +25,16 @@ from types import TracebackType
 from typing import Any, Union
 
 from .errors import ConnectionLost, Fault, RequestError
-from .methods import Methods
+from .methods import MOVES, STOPS, Methods
 
-__all__ = ["Address", "Client", "Notification", "connect", "merged"]
+__all__ = ["Address", "Client", "Notification", "connect", "merged", "stop"]
 
 Address = Union[str, "os.PathLike[str]", tuple[str, int], None]
 
 _bytes_max = 64 << 20  # of a line: the daemon's are shorter by far
 _slice_s = 0.05  # of waiting for what the daemon tells unasked
 _waiting_max = 10_000  # notifications that nobody takes
+_stop_timeout_s = 1.0
 
 
 class Notification(collections.namedtuple("Notification", "method params")):
@@ -43,13 +44,64 @@ class Notification(collections.namedtuple("Notification", "method params")):
     params: dict[str, Any]
 
 
+class _Connection:
+    """Lines of JSON to and from a daemon."""
+
+    def __init__(self, address: Address, timeout_s: float | None) -> None:
+        self._timeout_s = timeout_s
+        self._socket = _connected(address, timeout_s)
+        self._buffer = bytearray()
+
+    def send(self, number: int, method: str, params: Mapping[str, Any]) -> None:
+        message = {"jsonrpc": "2.0", "id": number, "method": method, "params": params}
+        try:
+            self._socket.settimeout(self._timeout_s)
+            self._socket.sendall(json.dumps(message).encode() + b"\n")
+        except TimeoutError as error:
+            self._socket.close()  # a part of the line is there: what is sent behind it would be its end
+            raise ConnectionLost("the daemon takes nothing; the connection is ended") from error
+        except OSError as error:
+            raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
+
+    def receive(self, deadline: float | None) -> dict[str, Any] | None:
+        """The next message; ``None``: not until the deadline."""
+        while b"\n" not in self._buffer:
+            if len(self._buffer) > _bytes_max:
+                raise ConnectionLost("the daemon sent a line without an end")
+            left = None if deadline is None else deadline - time.monotonic()
+            if left is not None and left <= 0.0:
+                return None
+            try:
+                self._socket.settimeout(left)
+                received = self._socket.recv(1 << 16)
+            except TimeoutError:
+                return None
+            except OSError as error:
+                raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
+            if not received:
+                raise ConnectionLost("the daemon ended the connection")
+            self._buffer += received
+        line, _, rest = bytes(self._buffer).partition(b"\n")
+        self._buffer = bytearray(rest)
+        try:
+            message = json.loads(line)
+        except ValueError as error:
+            raise ConnectionLost("what answers at this address is no daemon of stanok") from error
+        return message if isinstance(message, dict) else {}
+
+    def close(self) -> None:
+        self._socket.close()
+
+
 class Client(Methods):
     """A connection to a daemon; a method for each of the protocol's, by noun and verb.
 
     ``client.machine.status()`` asks ``machine.status``; parameters are keywords, in mm, deg and s as the
     protocol has them; the result is the ``dict`` that it describes. A refused request is a
     :class:`~stanok.RequestError` with code, place and remedy; a connection that went is
-    :class:`~stanok.ConnectionLost`. Calls of several threads are made one after the other.
+    :class:`~stanok.ConnectionLost`. Calls of several threads are made one after the other, but for those that stop
+    the machine: each goes at once, over a connection of its own, and is answered even where the daemon has no place
+    left. What begins motion is refused where it comes to the machine later than it may (E6073).
 
     Args:
         address: see :func:`connect`.
@@ -58,9 +110,9 @@ class Client(Methods):
     """
 
     def __init__(self, address: Address = None, *, timeout_s: float | None = 30.0) -> None:
+        self._address = address
         self._timeout_s = timeout_s
-        self._socket = _connected(address, timeout_s)
-        self._buffer = bytearray()
+        self._connection = _Connection(address, timeout_s)
         self._numbers = itertools.count(1)
         self._notifications: collections.deque[Notification] = collections.deque()
         self._state: Any = {}  # as the status messages so far say
@@ -69,7 +121,7 @@ class Client(Methods):
         try:
             self._hello = self._greeting()
         except BaseException:
-            self._socket.close()
+            self._connection.close()
             raise
 
     @property
@@ -81,23 +133,27 @@ class Client(Methods):
              timeout_s: float | None = None) -> dict[str, Any]:
         """Asks a method by its name; the members of the result.
 
-        ``timeout_s`` instead of that of the client.
+        ``timeout_s`` instead of that of the client; a stop is waited for 1 s unless it is given.
         """
+        if method in STOPS:
+            return stop(self._address, method, params, timeout_s=timeout_s or _stop_timeout_s)
+        given = dict(params or {})
         with self._lock:
-            number = next(self._numbers)
-            self._send({"jsonrpc": "2.0", "id": number, "method": method, "params": dict(params or {})})
             deadline = _deadline(self._timeout_s if timeout_s is None else timeout_s)
-            while True:
-                message = self._receive(deadline)
-                if message is None:
-                    raise TimeoutError(f"{method}: no answer in time; what was asked for goes on")
-                if message.get("id") == number and "method" not in message:
-                    break
-                self._keep(message)
-            if "error" in message:
-                raise _refusal(message["error"])
-            result = message.get("result")
-            return result if isinstance(result, dict) else {"result": result}
+            if method in MOVES and "seen_cycle" not in given:
+                given["seen_cycle"] = self._asked("machine.status", {}, deadline)["cycle"]
+            return self._asked(method, given, deadline)
+
+    def _asked(self, method: str, params: dict[str, Any], deadline: float | None) -> dict[str, Any]:
+        number = next(self._numbers)
+        self._connection.send(number, method, params)
+        while True:
+            message = self._receive(deadline)
+            if message is None:
+                raise TimeoutError(f"{method}: no answer in time; what was asked for goes on")
+            if message.get("id") == number and "method" not in message:
+                return _result(message)
+            self._keep(message)
 
     def notifications(self, timeout_s: float | None = None) -> Iterator[Notification]:
         """What the daemon tells unasked, as it comes; ends when nothing came for ``timeout_s``.
@@ -136,7 +192,7 @@ class Client(Methods):
 
     def close(self) -> None:
         """Ends the connection; a program that runs goes on."""
-        self._socket.close()
+        self._connection.close()
 
     def __enter__(self) -> Client:
         return self
@@ -192,47 +248,17 @@ class Client(Methods):
         self._notifications.remove(waiting[0])
         return Notification("status", {**status.params, "full": True, "state": self._state})
 
-    def _send(self, message: dict[str, Any]) -> None:
-        try:
-            self._socket.settimeout(self._timeout_s)
-            self._socket.sendall(json.dumps(message).encode() + b"\n")
-        except TimeoutError as error:
-            self._socket.close()  # a part of the line is there: what is sent behind it would be its end
-            raise ConnectionLost("the daemon takes nothing; the connection is ended") from error
-        except OSError as error:
-            raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
-
     def _receive(self, deadline: float | None) -> dict[str, Any] | None:
-        """The next message; ``None``: not until the deadline."""
-        while b"\n" not in self._buffer:
-            if len(self._buffer) > _bytes_max:
-                raise ConnectionLost("the daemon sent a line without an end")
-            left = None if deadline is None else deadline - time.monotonic()
-            if left is not None and left <= 0.0:
-                return None
-            try:
-                self._socket.settimeout(left)
-                received = self._socket.recv(1 << 16)
-            except TimeoutError:
-                return None
-            except OSError as error:
-                raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
-            if not received:
-                raise ConnectionLost(self._why_it_went())
-            self._buffer += received
-        line, _, rest = bytes(self._buffer).partition(b"\n")
-        self._buffer = bytearray(rest)
         try:
-            message = json.loads(line)
-        except ValueError as error:
-            raise ConnectionLost("what answers at this address is no daemon of stanok") from error
-        return message if isinstance(message, dict) else {}
+            return self._connection.receive(deadline)
+        except ConnectionLost as error:
+            raise ConnectionLost(self._why_it_went() or str(error)) from error
 
     def _why_it_went(self) -> str:
         for notification in self._notifications:
             if notification.method == "dropped":
                 return f"the daemon ended the connection: {_fault(notification.params)}"
-        return "the daemon ended the connection"
+        return ""
 
 
 def connect(address: Address = None, *, timeout_s: float | None = 30.0) -> Client:
@@ -248,6 +274,41 @@ def connect(address: Address = None, *, timeout_s: float | None = 30.0) -> Clien
         ConnectionLost: there is none.
     """
     return Client(address, timeout_s=timeout_s)
+
+
+def stop(address: Address = None, method: str = "machine.estop", params: Mapping[str, Any] | None = None, *,
+         timeout_s: float = _stop_timeout_s) -> dict[str, Any]:
+    """Stops the machine, whatever else its daemon and this program do: over a connection of its own.
+
+    Args:
+        address: see :func:`connect`.
+        method: ``machine.estop``, ``machine.off``, ``program.hold``, ``program.stop`` or ``program.reset``.
+        params: ``{"channel": N}``, for those of a program.
+        timeout_s: for which the answer is waited for.
+
+    Raises:
+        ConnectionLost: nothing was sent, or the daemon has gone.
+        TimeoutError: it was sent, and is not answered. Do not wait: use the emergency stop of the machine.
+    """
+    if method not in STOPS:
+        raise ValueError(f"{method} stops nothing: one of {', '.join(sorted(STOPS))}")
+    connection = _Connection(address, timeout_s)
+    try:
+        connection.send(1, method, dict(params or {}))
+        deadline = _deadline(timeout_s)
+        while (message := connection.receive(deadline)) is not None:
+            if message.get("id") == 1 and "method" not in message:
+                return _result(message)
+    finally:
+        connection.close()
+    raise TimeoutError(f"{method}: sent and not answered; use the emergency stop of the machine")
+
+
+def _result(message: dict[str, Any]) -> dict[str, Any]:
+    if "error" in message:
+        raise _refusal(message["error"])
+    result = message.get("result")
+    return result if isinstance(result, dict) else {"result": result}
 
 
 def merged(state: Any, change: Any) -> Any:

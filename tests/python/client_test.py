@@ -9,6 +9,7 @@ import socket
 import sys
 import tempfile
 import threading
+import time
 import unittest
 from pathlib import Path
 
@@ -46,6 +47,66 @@ class Relay:
         while received := source.recv(1 << 16):
             sink.sendall(received)
         sink.close()
+
+
+class Stops(unittest.TestCase):
+    """Each with a daemon of its own: a stop leaves alarms."""
+
+    def setUp(self):
+        running = running_daemon(STANOKD, MACHINE, PROGRAM, impatient=True)
+        self.daemon = running.__enter__()
+        self.addCleanup(running.__exit__, None, None, None)
+        self.client = stanok.connect(self.daemon.socket_path)
+        self.addCleanup(self.client.close)
+
+    def test_a_stop_waits_for_no_other_call(self):
+        self.daemon_runs_for_ever()
+        waiting = threading.Thread(target=self.runs_to_its_end, daemon=True)
+        waiting.start()
+        self.wait_for(lambda: self.state()["speed_mm_s"] > 1.0)
+        self.client.program.reset()
+        waiting.join(60)
+        self.assertFalse(waiting.is_alive())
+        self.assertIsInstance(self.outcome, stanok.RequestError)
+
+    def test_a_stop_needs_no_place(self):
+        self.client.machine.on()
+        idle = [socket.socket(socket.AF_UNIX) for _ in range(70)]
+        for one in idle:
+            self.addCleanup(one.close)
+            one.connect(self.daemon.socket_path)
+        with self.assertRaises(stanok.ConnectionLost):
+            stanok.connect(self.daemon.socket_path)
+        self.assertEqual(stanok.stop(self.daemon.socket_path), {"accepted": True})
+        self.wait_for(lambda: not self.client.machine.status()["on"])
+        with self.assertRaises(ValueError):
+            stanok.stop(self.daemon.socket_path, "machine.on")
+
+    def test_what_begins_motion_tells_what_was_seen(self):
+        self.wait_for(lambda: self.client.machine.status()["cycle"] > 600)
+        with self.assertRaises(stanok.RequestError) as refused:
+            self.client.machine.on(seen_cycle=0)
+        self.assertEqual(refused.exception.faults[0].code, "E6073")
+
+    def daemon_runs_for_ever(self):
+        self.client.machine.on()
+        Path(self.client.system.info()["program_root"], "endless.nc").write_text(
+            "G21 G90 F600\nwhile (true) {\nG1 X10\nX0\n}\n", encoding="utf-8")
+
+    def runs_to_its_end(self):
+        try:
+            self.client.program.run("endless.nc", wait="done")
+        except stanok.StanokError as error:
+            self.outcome = error
+
+    def state(self):
+        return Operator(self.daemon.socket_path).ask("channel.status")
+
+    def wait_for(self, condition):
+        end = time.monotonic() + 60
+        while not condition():
+            self.assertLess(time.monotonic(), end, "it does not come about")
+            time.sleep(0.02)
 
 
 class WithDaemon(unittest.TestCase):
