@@ -1,6 +1,7 @@
 #include "channels/axes/drive_guard.h"
 
 #include <cmath>
+#include <utility>
 
 namespace stanok::channels {
 namespace {
@@ -36,8 +37,10 @@ std::optional<Fault> DriveGuard::advance(NumberedSpan<const AxisFeedback> machin
   all_answer_ = true;
   for (int axis = 0; axis < axes_.count(); ++axis) take(axis, machine[axes_.machine_axis(axis)]);
   const std::optional<Fault> of_drives = fault_of_drives();
+  const std::optional<Fault> of_references = fault_of_references(limit_switches);
   const std::optional<Fault> of_switches = fault_of_limit_switches(limit_switches);
-  return of_switches ? of_switches : of_drives;
+  if (of_switches) return of_switches;
+  return of_drives ? of_drives : of_references;
 }
 
 void DriveGuard::take(int axis, const AxisFeedback& told) RT_SAFE {
@@ -84,6 +87,22 @@ std::optional<Fault> DriveGuard::fault_of_drives() RT_SAFE {
                  released.sentence(" has switched itself off", " have switched themselves off")};
   }
   return std::nullopt;
+}
+
+// Positions belonged to the machine when it was started; homing takes that back by itself.
+std::optional<Fault> DriveGuard::fault_of_references(LimitSwitches switches) RT_SAFE {
+  AxisNames lost;
+  for (int axis = 0; axis < axes_.count(); ++axis) {
+    const AxisFeedback& drive = feedback(axis);
+    if (!drive.valid) continue;
+    const bool is_led = axes_.drive(axis).enabled && axes_.owns(axis) && !axes_.is_spindle(axis);
+    const bool is_homed = is_led && drive.referenced;
+    const bool had_it = std::exchange(was_homed_[axis], is_homed);
+    if (had_it && is_led && !is_homed && switches == LimitSwitches::stop_the_axis)
+      lost.add(axes_.name(axis).view());
+  }
+  if (lost.count == 0) return std::nullopt;
+  return Fault{{"A3005"}, lost.sentence(" has lost its reference", " have lost their references")};
 }
 
 std::optional<Fault> DriveGuard::fault_of_limit_switches(LimitSwitches switches) RT_SAFE {

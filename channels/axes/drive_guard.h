@@ -36,7 +36,7 @@ class DriveGuard {
   [[nodiscard]] std::optional<Fault> advance(NumberedSpan<const AxisFeedback> machine,
                                              LimitSwitches limit_switches) RT_SAFE;
   // Another drive has the axis now; it is waited for anew.
-  void forget(int axis) RT_SAFE { was_ready_[axis] = false; }
+  void forget(int axis) RT_SAFE { was_ready_[axis] = was_homed_[axis] = false; }
 
   [[nodiscard]] bool is_ideal() const RT_SAFE { return is_ideal_; }
   [[nodiscard]] const AxisFeedback& feedback(int axis) const RT_SAFE { return feedback_[axis]; }
@@ -54,11 +54,13 @@ class DriveGuard {
  private:
   void take(int axis, const AxisFeedback& told) RT_SAFE;
   [[nodiscard]] std::optional<Fault> fault_of_drives() RT_SAFE;
+  [[nodiscard]] std::optional<Fault> fault_of_references(LimitSwitches switches) RT_SAFE;
   [[nodiscard]] std::optional<Fault> fault_of_limit_switches(LimitSwitches switches) RT_SAFE;
 
   const AxisGroup& axes_;
   AxisArray<AxisFeedback> feedback_{};
   AxisArray<bool> was_ready_{};  // since its drive was commanded on
+  AxisArray<bool> was_homed_{};  // since then, while no homing changed it
   lang::AxisSet on_limit_switch_ = 0;
   bool is_ideal_ = true;
   bool all_answer_ = true;

@@ -50,8 +50,7 @@ std::optional<Verdict> RequestGate::refusal_of(const OperatorEvent& event, std::
     return refusal("E6056", "another session jogs this channel");
   if (renews || !lets_move(event, named) || !is_too_old(event, cycle)) return std::nullopt;
   Verdict verdict = refusal("E6073", "");
-  const auto tenths =
-      std::llround(10.0 * static_cast<double>(cycle - event.seen_cycle) * cycle_s_);
+  const auto tenths = std::llround(10.0 * static_cast<double>(cycle - event.seen_cycle) * cycle_s_);
   verdict.text.append("who asked had seen the machine as it was ")
       .append(static_cast<long>(tenths / 10))
       .append(".")

@@ -153,7 +153,12 @@ std::optional<ExchangeError> AxisExchange::take(const StatusBlock& answer, BusTi
 
 std::optional<DriveState> AxisExchange::state_in(const StatusBlock& answer) const RT_SAFE {
   if (config_.words) return state_of(*config_.words, answer.status_word, sent_.block.control_word);
-  return state_of(answer.status_word);
+  const auto state = state_of(answer.status_word);
+  // Of a drive that does tell whether its power stage has voltage.
+  const bool has_voltage = (answer.status_word & status::voltage_enabled) != 0;
+  const bool holds_axis =
+      state == DriveState::operation_enabled && (has_voltage || !has_had_voltage_);
+  return state != DriveState::operation_enabled || holds_axis ? state : DriveState::switched_on;
 }
 
 // A drive that is told its direction by a word reports a speed without sign.
@@ -184,6 +189,7 @@ void AxisExchange::accept(const StatusBlock& answer, DriveState state, BusTime a
   const RegisterMap& map = config_.map;
   const double position = map.position.value(answer.position) + reference_.offset();
   check_reference(map.position.value(answer.position));
+  has_had_voltage_ = has_had_voltage_ || (answer.status_word & status::voltage_enabled) != 0;
   const bool followed = moves_axis() && sent_.source == TargetSource::cycle;
   enable_blocked_ |= followed && state != DriveState::operation_enabled;
   sent_.awaits_answer = false;

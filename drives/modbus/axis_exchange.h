@@ -120,6 +120,7 @@ class AxisExchange {
   double velocity_before_loss_ = 0.0;  // the faster of target and actual velocity
   bool follows_velocity_ = false;
   bool enable_blocked_ = false;
+  bool has_had_voltage_ = false;
 };
 
 }  // namespace stanok::drives

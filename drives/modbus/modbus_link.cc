@@ -115,7 +115,9 @@ std::optional<ExchangeError> ModbusLink::exchange(int unit, std::span<const Requ
   for (const Request& request : requests) {
     forget_what_was_not_asked();
     errno = 0;
-    if (carry_out(request, image)) {
+    const bool is_done =
+        is_serial_ ? carry_out(request, image) : tcp_.carry_out(*context_, unit, request, image);
+    if (is_done) {
       continue;
     }
     return give_up();
@@ -162,7 +164,9 @@ std::optional<ExchangeError> ModbusLink::exchange(SignalBlock& block) {
   modbus_set_slave(context_.get(), block.unit);
   forget_what_was_not_asked();
   errno = 0;
-  if (carry_out(block) != block.count()) {
+  const bool is_done =
+      is_serial_ ? carry_out(block) == block.count() : tcp_.carry_out(*context_, block);
+  if (!is_done) {
     return give_up();
   }
   return std::nullopt;

@@ -20,6 +20,7 @@
 #include "drives/bus_config.h"
 #include "drives/modbus/exchange_plan.h"
 #include "drives/modbus/signal_exchange.h"
+#include "drives/modbus/tcp_exchange.h"
 
 namespace stanok::drives {
 
@@ -50,6 +51,7 @@ class ModbusLink {
   [[nodiscard]] const std::string& endpoint() const { return endpoint_; }
 
  private:
+  // On a serial line, whose answers libmodbus looks at itself.
   [[nodiscard]] bool carry_out(const Request& request, std::span<std::uint16_t> image);
   [[nodiscard]] int carry_out(SignalBlock& block);
   [[nodiscard]] ExchangeError give_up();
@@ -63,6 +65,7 @@ class ModbusLink {
   std::unique_ptr<modbus_t, Free> context_;
   std::string endpoint_;
   bool is_serial_;
+  TcpExchange tcp_;
   std::chrono::steady_clock::time_point late_until_{};  // an answer of before may arrive until then
   bool answer_is_behind_ = false;                       // to a request that met a late one
   bool connected_ = false;

@@ -56,6 +56,15 @@ TEST_F(DriveFaults, ADriveThatSwitchesItselfOffStopsTheChannel) {
   EXPECT_EQ(alarm(), "A3004 the drive of axis " + axes[1].name + " has switched itself off");
 }
 
+// Its position may be that of no machine any more.
+TEST_F(DriveFaults, ADriveThatLosesItsReferenceStopsTheChannel) {
+  drives[1].referenced = false;
+  EXPECT_EQ(alarm(), "A3005 the drive of axis " + axes[1].name + " has lost its reference");
+  for (int n = 0; n < 500; ++n) bench.cycle();
+  EXPECT_FALSE(bench.channel(1).moving);
+  EXPECT_LT(bench.channel(1).axes[0].position, 20.0);
+}
+
 TEST_F(DriveFaults, ABusThatFallsSilentIsOneAlarmOfAllItsAxes) {
   for (AxisFeedback& drive : drives) drive.valid = false;
   EXPECT_THAT(alarm(), HasSubstr("A3001 the drives of axes " + axes[0].name + ", " + axes[1].name));

@@ -37,6 +37,7 @@ class AxisExchangeTest : public ::testing::Test {
     now += poll_time;
     StatusBlock block{.status_word = state_bits(state)};
     block.status_word |= standard_bits.referenced;
+    if (has_voltage) block.status_word |= status::voltage_enabled;
     block.position = static_cast<std::int32_t>(std::lround(position_mm * 1000.0));
     block.velocity = velocity_mm_per_s * 1000;
     block.following_error = following_error_um;
@@ -88,6 +89,7 @@ class AxisExchangeTest : public ::testing::Test {
   }
 
   AxisExchange exchange{config(), poll_time, drive_timeout};
+  bool has_voltage = false;  // as its status word says
   DriveTarget target{.enabled = true, .brake_closed = false};
   CommandBlock sent;
   BusTime now{0};
@@ -327,6 +329,19 @@ TEST_F(AxisExchangeTest, AMovingDriveThatTurnedBackIsNotReferenced) {
 TEST_F(AxisExchangeTest, TimeOutOfSightMakesTheReachNoLonger) {
   lose_in_motion_and_find_again(60.0, 1000);
   EXPECT_FALSE(exchange.feedback().referenced);
+}
+
+// Some drives never tell; one that did and does not any more holds nothing.
+TEST_F(AxisExchangeTest, ADriveWhoseVoltageGoesDoesNotHoldItsAxis) {
+  has_voltage = false;
+  take_over(0.0);
+  EXPECT_EQ(exchange.feedback().state, DriveState::operation_enabled);
+  has_voltage = true;
+  take_over(0.0);
+  EXPECT_EQ(exchange.feedback().state, DriveState::operation_enabled);
+  has_voltage = false;
+  answer(0.0);
+  EXPECT_NE(exchange.feedback().state, DriveState::operation_enabled);
 }
 
 TEST_F(AxisExchangeTest, OneDemandResetsOneFault) {
