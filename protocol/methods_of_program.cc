@@ -52,7 +52,21 @@ constexpr Parameter percent(double minimum, double maximum) {
 
 constexpr std::array of_program{program, channel, wait};
 constexpr std::array of_run{program, channel, wait, seen_cycle};
-constexpr std::array of_start{channel, wait, seen_situation, seen_cycle};
+constexpr Parameter approach{.name = "approach",
+                             .type = ParameterType::integer,
+                             .minimum = 1,
+                             .maximum = 4294967295.0,
+                             .help = "number of the approach that the block search told"};
+constexpr Parameter restore{.name = "restore",
+                            .type = ParameterType::integer,
+                            .spelling = Spelling::flag,
+                            .minimum = 0,
+                            .maximum = 1,
+                            .help =
+                                "1: change tool, spindle and coolant at the height of the "
+                                "approach to what the block needs"};
+
+constexpr std::array of_start{channel, wait, approach, restore, seen_situation, seen_cycle};
 constexpr std::array of_switch{on_or_off, channel};
 constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_search{search_target, search_pass, search_calculation, channel};
@@ -157,7 +171,10 @@ constexpr auto program_rows = std::to_array<Method>({
      .parameters = of_search,
      .help = "block search: the loaded program begins at this block when it is started; answers "
              "what lies before it",
-     .result = R"({"target":"string","calculated":"boolean"})"},
+     .result = R"({"target":"string","calculated":"boolean",
+      "approach?":{"number":"integer","changes":["string"],
+                   "moves":[{"kind":"string","to":"$numbers","length_mm":"number",
+                             "feed_mm_min":"number?"}]}})"},
 
     {.name = "override.feed",
      .role = machine_operator,

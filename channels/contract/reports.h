@@ -75,6 +75,18 @@ struct SearchReport {
   std::vector<double> stands_at;  // the axes now, as words there
   lang::Meaning meaning;          // of the words
   lang::SearchState state;
+  // How the tool would come there; a start says which of them it means.
+  std::uint32_t number = 0;     // of this search, of all of the channel
+  std::uint32_t situation = 0;  // in which it holds
+  std::vector<double> axes_M;   // and from where
+  struct Leg {
+    enum class Kind : std::uint8_t { lift, lateral, plunge };
+    Kind kind = Kind::lift;
+    std::vector<double> end;  // as words
+    double length_mm = 0.0;
+  };
+  std::vector<Leg> approach;
+  double plunge_feed_mm_min = 0.0;
 };
 
 // What gives the words of a channel their meaning, and where its current block ends.

@@ -39,19 +39,28 @@ lang::AxisSet axes_apart(const motion::Point& a, const motion::Point& b) {
   return apart;
 }
 
-std::vector<motion::Point> approach_points(const motion::Point& start, const motion::Point& end,
-                                           int infeed) {
-  std::vector<motion::Point> points;
-  const auto go = [&](const motion::Point& next) {
-    if (axes_apart(points.empty() ? start : points.back(), next) != 0) points.push_back(next);
+Approach approach_to(const motion::Point& target, const motion::Point& start, int infeed,
+                     double height) {
+  Approach approach;
+  motion::Point at = start;
+  const auto leg = [&](const motion::Point& end) -> std::optional<motion::Point> {
+    if (axes_apart(at, end) == 0) return std::nullopt;
+    at = end;
+    return end;
   };
-  if (infeed >= 0) {
-    motion::Point between = end[infeed] > start[infeed] ? start : end;
-    between[infeed] = std::max(start[infeed], end[infeed]);
-    go(between);
+  if (infeed < 0) {
+    approach.lateral = leg(target);
+    return approach;
   }
-  go(end);
-  return points;
+  const double top = std::max({height, start[infeed], target[infeed]});
+  motion::Point above = start;
+  above[infeed] = top;
+  approach.lift = leg(above);
+  above = target;
+  above[infeed] = top;
+  approach.lateral = leg(above);
+  approach.plunge = leg(target);
+  return approach;
 }
 
 }  // namespace stanok::channels

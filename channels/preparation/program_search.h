@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "channels/preparation/skipped_height.h"
 #include "lang/run/block_search.h"
 #include "motion/path/path.h"
 
@@ -28,6 +30,8 @@ struct ProgramSearch {
   bool calculates = true;  // else the run begins with the default modal state
   Stage stage = Stage::look;
   lang::SearchCollector collector;
+  SkippedHeight height;
+  double feed_mm_min = 0.0;                    // of the last move at feed; 0: there was none
   motion::Point axes_M{};                      // where the axes stand
   const kinematics::Scheme* scheme = nullptr;  // at the place reached so far
 };
@@ -38,10 +42,16 @@ struct ProgramSearch {
 // Bit k: coordinate k differs.
 [[nodiscard]] lang::AxisSet axes_apart(const motion::Point& a, const motion::Point& b);
 
-// The ends of the moves from `start` to `end`: away from the workpiece first, towards it last.
-// Along `infeed`, an axis whose positive direction leads away from the workpiece; -1: one move.
-// Points where nothing moves are left out.
-[[nodiscard]] std::vector<motion::Point> approach_points(const motion::Point& start,
-                                                         const motion::Point& end, int infeed);
+// How the tool comes to where the program goes on: each end of a move, where anything moves.
+struct Approach {
+  std::optional<motion::Point> lift;     // away from the workpiece, before all else
+  std::optional<motion::Point> lateral;  // at that height, rotary axes as well
+  std::optional<motion::Point> plunge;   // at feed
+};
+
+// From `start` to `target`, along `infeed`, an axis whose positive direction leads away from the
+// workpiece (-1: there is none, the way is one move), and no deeper than `height` on the way.
+[[nodiscard]] Approach approach_to(const motion::Point& target, const motion::Point& start,
+                                   int infeed, double height);
 
 }  // namespace stanok::channels

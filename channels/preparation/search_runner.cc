@@ -1,6 +1,7 @@
 #include "channels/preparation/search_runner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,20 @@ int infeed_axis(const std::array<int, 3>& geometry) {
   return geometry[1] >= 0 ? geometry[2] : geometry[0];
 }
 
+// Of the way down: that of the last move at feed.
+double plunge_feed(const ProgramSearch& search) {
+  constexpr double cautious_mm_min = 100.0;
+  return search.feed_mm_min > 0.0 ? search.feed_mm_min : cautious_mm_min;
+}
+
+double distance(const motion::Point& from, const motion::Point& to,
+                const std::array<int, 3>& geometry) {
+  double square = 0.0;
+  for (const int k : geometry)
+    if (k >= 0) square += (to[k] - from[k]) * (to[k] - from[k]);
+  return std::sqrt(square);
+}
+
 }  // namespace
 
 SearchRunner::Result SearchRunner::look(const BlockSearch& search,
@@ -37,6 +52,7 @@ SearchRunner::Result SearchRunner::look(const BlockSearch& search,
   static_cast<void>(parts_.interpreter.take_meanings());  // of a run before
   search_.emplace();
   search_->place = *place;
+  situation_ = search.start.stand.situation;
   search_->calculates = search.way == SearchWay::calculated;
   parts_.set_program(std::move(program));
   parts_.restart(search.start.stand);
@@ -56,6 +72,8 @@ SearchRunner::Result SearchRunner::enter(ProgramSearch::Stage stage) {
   const motion::Point position_B = parts_.feed.blocks().position_B();
   search_->stage = stage;
   search_->collector = {};
+  search_->height = {};
+  search_->feed_mm_min = 0.0;
   search_->axes_M = parts_.feed.blocks().axes_M();
   search_->scheme = parts_.scheme;
   parts_.feed.forget_threads();
@@ -111,26 +129,47 @@ SearchRunner::Result SearchRunner::arrive() {
     return Result::entered;
   }
   search_->stage = ProgramSearch::Stage::found;
+  parts_.reports.tell_search(parts_.config.id, report(target));
+  return Result::found;
+}
+
+SearchReport SearchRunner::report(const motion::Point& target) {
   SearchReport report;
   report.file = lang::file_name(*parts_.program, search_->place.file);
   report.line = search_->place.line;
   report.words = parts_.config.words;
+  report.number = ++searches_;
+  report.situation = situation_;
   // The last one is that of the target; its start notes one at least.
   for (lang::MeaningChange& change : parts_.interpreter.take_meanings())
     report.meaning = std::move(change.meaning);
-  const auto values_of = [&](const lang::AxisValues& values) {
-    const auto count = static_cast<std::ptrdiff_t>(report.words.size());
+  const auto count = static_cast<std::ptrdiff_t>(report.words.size());
+  const auto values_of = [&](const auto& values) {
     return std::vector<double>(values.begin(), values.begin() + count);
   };
-  if (search_->calculates) {
-    report.position = values_of(lang::words_at(report.meaning, {target}));
-    report.point_W = values_of({target});
-  }
+  const auto words_of = [&](const motion::Point& point) {
+    return values_of(lang::words_at(report.meaning, {point}));
+  };
   const motion::Point& now_W = parts_.feed.blocks().position_W();
-  report.stands_at = values_of(lang::words_at(report.meaning, {now_W}));
+  report.axes_M = values_of(search_->axes_M);
+  report.stands_at = words_of(now_W);
   report.state = search_->collector.state();
-  parts_.reports.tell_search(parts_.config.id, report);
-  return Result::found;
+  if (!search_->calculates) return report;
+  report.position = words_of(target);
+  report.point_W = values_of(target);
+  report.plunge_feed_mm_min = plunge_feed(*search_);
+  const Approach approach = approach_to_target(target);
+  motion::Point before = now_W;
+  const auto add = [&](SearchReport::Leg::Kind kind, const std::optional<motion::Point>& end) {
+    if (!end) return;
+    report.approach.push_back(
+        {kind, words_of(*end), distance(before, *end, parts_.feed.blocks().geometry())});
+    before = *end;
+  };
+  add(SearchReport::Leg::Kind::lift, approach.lift);
+  add(SearchReport::Leg::Kind::lateral, approach.lateral);
+  add(SearchReport::Leg::Kind::plunge, approach.plunge);
+  return report;
 }
 
 std::optional<Diagnostic> SearchRunner::obstacle_at_target() const {
@@ -160,11 +199,30 @@ std::optional<Diagnostic> SearchRunner::obstacle_at_target() const {
 // The position follows the program; nothing becomes a path.
 std::optional<Diagnostic> SearchRunner::pass(const lang::Command& command) {
   SearchSink sink(search_->collector);
+  const motion::Point start_W = parts_.feed.blocks().position_W();
   const auto taken = parts_.feed.pass(command, sink);
   if (!taken) return taken.error();
+  note_motion(command, start_W);
   if (const auto* request = std::get_if<lang::Request>(&command.payload))
     return pass_request(command, *request);
   return std::nullopt;
+}
+
+void SearchRunner::note_motion(const lang::Command& command, const motion::Point& start_W) {
+  const BlockPreparation& blocks = parts_.feed.blocks();
+  const std::array<int, 3> geometry = blocks.geometry();
+  const kinematics::Frame& frame = blocks.transform().frame;
+  SkippedHeight& height = search_->height;
+  if (std::holds_alternative<lang::ToolChange>(command.payload)) return height.forget();
+  const auto* move = std::get_if<lang::Move>(&command.payload);
+  const auto* spline = std::get_if<lang::SplineMove>(&command.payload);
+  if (move != nullptr && move->kind != lang::MoveKind::rapid &&
+      move->feed_mode == lang::FeedMode::per_minute)
+    search_->feed_mm_min = move->feed;
+  if (move != nullptr && move->kind == lang::MoveKind::arc)
+    height.pass(*move, start_W, frame, geometry);
+  if (spline != nullptr) height.pass(*spline, start_W, frame, geometry);
+  if (axes_apart(start_W, blocks.position_W()) != 0) height.pass(blocks.position_B(), geometry);
 }
 
 std::optional<Diagnostic> SearchRunner::pass_request(const lang::Command& command,
@@ -201,30 +259,69 @@ std::optional<lang::Answer> SearchRunner::answer_of_tables(const lang::Request& 
   return answer;
 }
 
-// The state first, then the axes; the program goes on at its target.
+// From where the axes stand. Where nothing was skipped that tells a height, that of the scheme for
+// parking is one, or the end of the axis.
+Approach SearchRunner::approach_to_target(const motion::Point& target) const {
+  const BlockPreparation& blocks = parts_.feed.blocks();
+  const kinematics::Frame& frame = blocks.transform().frame;
+  const std::array<int, 3> geometry = blocks.geometry();
+  const int infeed = infeed_axis(geometry);
+  const motion::Point& start = blocks.position_W();
+  auto height = search_->height.along(infeed, frame, geometry);
+  if (!height && infeed >= 0) {
+    const double end = parts_.motion.axes[infeed].position_max;
+    const auto& retract = parts_.scheme->config().retract;
+    const auto parking =
+        std::ranges::find(retract, infeed, [](const auto& one) { return one.first; });
+    const double safe_M = parking == retract.end() ? end : parking->second;
+    motion::Point axes_M = search_->axes_M;
+    if (std::isfinite(safe_M) && safe_M < motion::unlimited) {
+      axes_M[infeed] = std::max(axes_M[infeed], safe_M);
+      SkippedHeight top;
+      top.pass(blocks.base_of(axes_M), geometry);
+      height = top.along(infeed, frame, geometry);
+    }
+  }
+  return approach_to(target, start, infeed, height.value_or(start[std::max(infeed, 0)]));
+}
+
+// Away from the workpiece first; up there the state; then over the target, and at feed to it. The
+// program goes on there.
 void SearchRunner::approach(const motion::Point& target) {
   const lang::SearchState state = search_->collector.state();
+  const Approach way = approach_to_target(target);
+  const double feed = plunge_feed(*search_);
   lang::Command command;
   command.origin = {search_->place.file, search_->place.line};
   command.block = parts_.feed.blocks_executed();
   forget();
   parts_.feed.give_transform();
+  motion::Point before = parts_.feed.blocks().position_W();
+  enter_leg(way.lift, before, command, 0.0);
   for (lang::Payload& payload : commands_to_restore(state)) {
     command.payload = std::move(payload);
     entry_.push_back(command);
   }
-  motion::Point before = parts_.feed.blocks().position_W();
-  for (const motion::Point& point :
-       approach_points(before, target, infeed_axis(parts_.feed.blocks().geometry()))) {
-    lang::Move move;
-    move.stop_at_end = true;
-    move.words = axes_apart(before, point);
-    const motion::Point end = parts_.feed.blocks().programmed(point);
-    std::copy(end.begin(), end.end(), move.end.begin());
-    command.payload = move;
-    entry_.push_back(command);
-    before = point;
+  enter_leg(way.lateral, before, command, 0.0);
+  enter_leg(way.plunge, before, command, feed);
+}
+
+// In rapid where the feed is 0.
+void SearchRunner::enter_leg(const std::optional<motion::Point>& end, motion::Point& before,
+                             lang::Command command, double feed_mm_min) {
+  if (!end) return;
+  lang::Move move;
+  move.stop_at_end = true;
+  move.words = axes_apart(before, *end);
+  if (feed_mm_min > 0.0) {
+    move.kind = lang::MoveKind::line;
+    move.feed = feed_mm_min;
   }
+  const motion::Point programmed = parts_.feed.blocks().programmed(*end);
+  std::copy(programmed.begin(), programmed.end(), move.end.begin());
+  command.payload = move;
+  entry_.push_back(command);
+  before = *end;
 }
 
 bool SearchRunner::next_entry(lang::Command& command) {

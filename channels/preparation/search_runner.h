@@ -58,12 +58,19 @@ class SearchRunner {
                                                        const lang::Request& request);
   [[nodiscard]] std::optional<lang::Answer> answer_of_tables(const lang::Request& request) const;
   [[nodiscard]] std::optional<Diagnostic> obstacle_at_target() const;
+  void note_motion(const lang::Command& command, const motion::Point& start_W);
+  [[nodiscard]] Approach approach_to_target(const motion::Point& target) const;
+  [[nodiscard]] SearchReport report(const motion::Point& target);
   void approach(const motion::Point& target);
+  void enter_leg(const std::optional<motion::Point>& end, motion::Point& before,
+                 lang::Command command, double feed_mm_min);
 
   PreparationParts& parts_;
   std::optional<ProgramSearch> search_;
   std::deque<lang::Command> entry_;
   Diagnostic fault_;
+  std::uint32_t searches_ = 0;   // so far
+  std::uint32_t situation_ = 0;  // when the newest one was asked for
 };
 
 }  // namespace stanok::channels

@@ -172,6 +172,23 @@ std::string check_text(const json& result, const Terminal& terminal) {
   return text + plane_table(result.value("tilted_planes", json::array()), terminal);
 }
 
+// What lies before a block, the way there, and the start that means it.
+std::string search_text(const json& result, const Terminal& terminal) {
+  std::string text = object_text(result, "approach", terminal);
+  const auto approach = result.find("approach");
+  if (approach == result.end()) return text;
+  TextTable moves({"APPROACH", "MM", "MM/MIN", "TO"});
+  for (const json& move : (*approach)["moves"])
+    moves.add_row({move.value("kind", ""), cell_text(move.value("length_mm", json())),
+                   cell_text(move.value("feed_mm_min", json())),
+                   cell_text(move.value("to", json()))});
+  text += "\n" + moves.text(terminal);
+  const json changes = approach->value("changes", json::array());
+  if (!changes.empty()) text += "\nabove the workpiece: " + cell_text(changes) + "\n";
+  return text + "\nbegin with: stanok program start --approach " +
+         cell_text((*approach)["number"]) + (changes.empty() ? "" : " --restore") + "\n";
+}
+
 }  // namespace
 
 std::string cell_text(const json& value) {
@@ -212,6 +229,7 @@ std::string result_text(std::string_view method, const json& result, const Termi
   if (method == "tool.save") return result.value("tables", "");
   if (method == "program.read") return result.value("text", "");
   if (method == "program.check") return check_text(result, terminal);
+  if (method == "program.search") return search_text(result, terminal);
   const auto& views = list_views();
   const auto view = std::find_if(views.begin(), views.end(),
                                  [&](const ListView& v) { return v.method == method; });

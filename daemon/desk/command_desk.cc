@@ -99,7 +99,10 @@ void CommandDesk::on_reply(const channels::OperatorReply& reply) {
   const auto search = pending.event.action() == OperatorAction::program_search
                           ? machine_.search(pending.event.channel)
                           : std::nullopt;
-  pending.answer(search ? search_json(*search) : json{{"accepted", true}});
+  if (!search) return pending.answer(json{{"accepted", true}});
+  const channels::CycleOutput output = machine_.newest_output();
+  const channels::ChannelOutput* const channel = output.of_channel(pending.event.channel);
+  pending.answer(search_json(*search, channel == nullptr ? channels::ChannelOutput{} : *channel));
 }
 
 Failure CommandDesk::refusal(const Pending& pending, const channels::OperatorReply& reply) const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "daemon/desk/operator_command.h"
+#include "daemon/desk/start_check.h"
 #include "daemon/desk/table_loading.h"
 #include "daemon/desk/unix_time.h"
 #include "daemon/report/drive_report.h"
@@ -443,6 +444,10 @@ void Dispatch::command(const Call& call) {
   event->session = call.session.id;
   if (const auto obstacle = control_.obstacle(event->action(), event->channel, call.session.id))
     return log_and_answer(Unexpected<Failure>(*obstacle));
+  if (event->action() == channels::OperatorAction::program_start) {
+    if (const auto obstacle = obstacle_to_start(machine_, event->channel, call.parameters))
+      return log_and_answer(Unexpected<Failure>(*obstacle));
+  }
   const bool waits = call.method.effect == protocol::Effect::begins_motion &&
                      call.parameters.value("wait", "accepted") == "done";
   Answer answer = log_and_answer;

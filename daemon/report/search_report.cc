@@ -59,9 +59,46 @@ json by_word(const std::vector<std::string>& words, const std::vector<double>& v
   return object;
 }
 
+json approach_json(const channels::SearchReport& report, const channels::ChannelOutput& output) {
+  using Kind = channels::SearchReport::Leg::Kind;
+  json moves = json::array();
+  for (const auto& leg : report.approach) {
+    const bool plunges = leg.kind == Kind::plunge;
+    moves.push_back({{"kind", plunges                  ? "plunge"
+                              : leg.kind == Kind::lift ? "lift"
+                                                       : "lateral"},
+                     {"to", by_word(report.words, leg.end)},
+                     {"length_mm", leg.length_mm},
+                     {"feed_mm_min", plunges ? json(report.plunge_feed_mm_min) : json(nullptr)}});
+  }
+  return {{"number", report.number},
+          {"moves", std::move(moves)},
+          {"changes", changes_of_start(report, output)}};
+}
+
 }  // namespace
 
-json search_json(const channels::SearchReport& report) {
+std::vector<std::string> changes_of_start(const channels::SearchReport& report,
+                                          const channels::ChannelOutput& output) {
+  const lang::SearchState& state = report.state;
+  std::vector<std::string> changes;
+  if (state.tool_changed && state.tool != output.tool.number)
+    changes.push_back("tool " + std::to_string(state.tool) + " instead of " +
+                      std::to_string(output.tool.number));
+  for (const auto& [id, command] : state.spindles) {
+    const bool shall_turn = command.action == lang::SpindleAction::clockwise ||
+                            command.action == lang::SpindleAction::counter_clockwise;
+    if (shall_turn)
+      changes.push_back(id == 0 ? "the spindle turning"
+                                : "spindle " + std::to_string(id) + " turning");
+  }
+  const bool coolant_differs =
+      state.coolant.mist != output.coolant.mist || state.coolant.flood != output.coolant.flood;
+  if (coolant_differs) changes.push_back("coolant " + coolant_text(state.coolant));
+  return changes;
+}
+
+json search_json(const channels::SearchReport& report, const channels::ChannelOutput& output) {
   const lang::SearchState& state = report.state;
   json result = {{"target", report.file + ":" + std::to_string(report.line)},
                  {"calculated", state.calculated}};
@@ -82,6 +119,7 @@ json search_json(const channels::SearchReport& report) {
   result["feed_law"] = state.feed_law.kind != lang::FeedLaw::Kind::off;
   result["force_control"] = !state.force_commands.empty();
   result["not_executed"] = omissions_json(state);
+  result["approach"] = approach_json(report, output);
   return result;
 }
 

@@ -94,11 +94,10 @@ std::optional<TcpExchange::Bytes> TcpExchange::ask(modbus_t& context) {
   const int received = modbus_receive_confirmation(&context, answer_.data());
   if (received < 0) return std::nullopt;
   const Bytes answer = Bytes(answer_).first(checked_size(received));
-  const bool is_ours =
-      answer.size() > function_at + 1 &&
-      std::equal(answer.begin(), answer.begin() + length_at, request_.begin()) &&
-      word_at(answer, length_at) == static_cast<int>(answer.size() - unit_at) &&
-      answer[unit_at] == request_[unit_at];
+  const bool is_ours = answer.size() > function_at + 1 &&
+                       std::equal(answer.begin(), answer.begin() + length_at, request_.begin()) &&
+                       word_at(answer, length_at) == static_cast<int>(answer.size() - unit_at) &&
+                       answer[unit_at] == request_[unit_at];
   if (is_ours && answer[function_at] == (request_[function_at] | exception_bit)) {
     errno = MODBUS_ENOBASE + answer[function_at + 1];
     return std::nullopt;

@@ -102,47 +102,120 @@ TEST_F(ProgramSearchTest, TellsWhatLiesBeforeTheBlock) {
   EXPECT_THAT(stands(), Pointwise(DoubleNear(0.0), {0.0, 0.0, 0.0})) << "nothing has moved";
 }
 
-TEST_F(ProgramSearchTest, TheSpindleTurnsBeforeTheAxesApproachAndTheToolGoesDownLast) {
+// Line by line of the way to a block: Z where X and Y move, and the order.
+TEST_F(ProgramSearchTest, TheToolIsLiftedThenChangedThenComesDownAtFeed) {
   load(pocket);
+  bench.ask(OperatorAction::mdi, 1, "G0 X-60 Y-40 Z-5");
+  bench.run_to_end();
   ASSERT_EQ(search("8"), "");
+  double lowest_aside = 100.0;    // Z while X and Y move
+  double z_of_the_tool = -100.0;  // where the tool is changed
+  double fastest_down = 0.0;
   bool spindle_turned_first = true;
-  double deepest_elsewhere = 0.0;  // Z while X and Y are not there yet
-  double largest_y_above = 0.0;    // Y while the tool has not been down yet
   bool has_been_down = false;
   start([&](const CycleOutput& output) {
     const ChannelOutput& channel = output.channels[0];
     const double x = channel.axes[0].position;
-    const double y = channel.axes[1].position;
     const double z = channel.axes[2].position;
-    const bool is_there = std::abs(x - 50.0) < place_tolerance && y > 10.0 - place_tolerance;
-    if (!is_there) deepest_elsewhere = std::min(deepest_elsewhere, z);
-    has_been_down |= z < -1.0 + place_tolerance;
-    if (has_been_down) return;
-    spindle_turned_first &= x == 0.0 || channel.process.spindle_rev_per_min > 0.0;
-    largest_y_above = std::max(largest_y_above, y);
+    if (channel.tool.number == 1 && z_of_the_tool == -100.0) z_of_the_tool = z;
+    const bool moves_aside = std::abs(channel.axes[0].velocity) > 1e-9;
+    if (moves_aside && !has_been_down) lowest_aside = std::min(lowest_aside, z);
+    spindle_turned_first &=
+        x < -60.0 + place_tolerance || has_been_down || channel.process.spindle_rev_per_min > 0.0;
+    if (x > 49.0 && !has_been_down)
+      fastest_down = std::max(fastest_down, -channel.axes[2].velocity);
+    has_been_down = has_been_down || (x > 49.0 && z < -1.0 + place_tolerance);
   });
   EXPECT_TRUE(has_been_down);
   EXPECT_TRUE(spindle_turned_first);
-  EXPECT_EQ(deepest_elsewhere, 0.0);
-  EXPECT_NEAR(largest_y_above, 10.0, place_tolerance);
+  EXPECT_NEAR(lowest_aside, 5.0, place_tolerance) << "the height of G0 Z5 in line 5";
+  EXPECT_NEAR(z_of_the_tool, 5.0, place_tolerance) << "not in the depth";
+  EXPECT_LE(fastest_down, 600.0 / 60.0 + 1e-9) << "F600 of line 6";
   EXPECT_THAT(stands(), Pointwise(DoubleNear(place_tolerance), {50.0, 40.0, 20.0}));
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
   EXPECT_FALSE(bench.machine().search(1)) << "the next start begins at the first block";
 }
 
-TEST_F(ProgramSearchTest, TheApproachLiftsTheToolFirst) {
+// What a search tells of the way, in words.
+TEST_F(ProgramSearchTest, TellsTheApproach) {
   load(pocket);
-  bench.ask(OperatorAction::mdi, 1, "G0 X80 Y80 Z-30");
+  bench.ask(OperatorAction::mdi, 1, "G0 X-60 Y-40 Z-5");
   bench.run_to_end();
   ASSERT_EQ(search("8"), "");
-  double lowest_on_the_way = 0.0;
-  start([&](const CycleOutput& output) {
-    const auto& axes = output.channels[0].axes;
-    if (axes[0].position < 80.0 - place_tolerance)
-      lowest_on_the_way = std::min(lowest_on_the_way, axes[2].position);
-  });
-  EXPECT_NEAR(lowest_on_the_way, -1.0, place_tolerance);
-  EXPECT_THAT(stands(), Pointwise(DoubleNear(place_tolerance), {50.0, 40.0, 20.0}));
+  const auto report = bench.machine().search(1);
+  using Kind = SearchReport::Leg::Kind;
+  ASSERT_EQ(report->approach.size(), 3U);
+  EXPECT_EQ(report->approach[0].kind, Kind::lift);
+  EXPECT_NEAR(report->approach[0].length_mm, 10.0, place_tolerance);
+  EXPECT_EQ(report->approach[1].kind, Kind::lateral);
+  EXPECT_THAT(report->approach[1].end,
+              Pointwise(DoubleNear(place_tolerance), {50.0, 10.0, 5.0, 0.0, 0.0}));
+  EXPECT_EQ(report->approach[2].kind, Kind::plunge);
+  EXPECT_NEAR(report->approach[2].length_mm, 6.0, place_tolerance);
+  EXPECT_EQ(report->plunge_feed_mm_min, 600.0);
+  const std::uint32_t number = report->number;
+  ASSERT_EQ(search("8"), "");
+  EXPECT_GT(bench.machine().search(1)->number, number);
+}
+
+// Seeded: over all that was skipped since the last tool change, arcs in XZ included, the tool goes
+// sideways no deeper than it ever was, or than it starts or ends.
+TEST(ProgramSearchProperties, TheWayAsideIsAsHighAsTheToolEverWas) {
+  for (unsigned seed = 1; seed <= stanok::testing::cases(20U); ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-40.0, 40.0);
+    std::ostringstream text;
+    text << "G21 G90 G18\nT1 M6\nF3000\n";
+    double highest = -1e9;
+    for (int n = 0; n < 12; ++n) {
+      const double z = place(random);
+      const double radius = 1.0 + std::abs(place(random)) / 8.0;
+      if (n % 3 == 2) {  // a full circle that begins at its lowest point
+        text << "G2 I0 K" << radius << "\n";
+        continue;
+      }
+      text << "G1 X" << place(random) << " Y" << place(random) << " Z" << z << "\n";
+    }
+    text << "G1 X7 Y8 Z-30\nM30\n";
+    MachineBench whole;
+    whole.program("p.nc", text.str());
+    whole.run(1, "p.nc");
+    bool has_tool = false;
+    whole.run_to_end([&](const CycleOutput& output) {
+      const ChannelOutput& channel = output.channels[0];
+      has_tool = has_tool || (channel.tool.number == 1 && channel.tag.line > 3);
+      if (has_tool && channel.tag.line < 16) highest = std::max(highest, channel.axes[2].position);
+    });
+    ASSERT_THAT(whole.alarm_codes(), IsEmpty()) << text.str();
+    MachineBench bench;
+    bench.program("p.nc", text.str());
+    bench.ask(OperatorAction::mdi, 1, "G0 X-50 Y-50 Z-45");
+    bench.run_to_end();
+    bench.ask(OperatorAction::program_load, 1, "p.nc");
+    bench.run_to_end();
+    bench.ask(OperatorAction::program_search, 1, "16");
+    bench.run_to_end();
+    ASSERT_TRUE(bench.machine().search(1)) << text.str();
+    bench.ask(OperatorAction::program_start, 1);
+    double lowest_aside = 1e9;
+    bool comes_down = false;
+    bench.run_to_end([&](const CycleOutput& output) {
+      const auto& axes = output.channels[0].axes;
+      const bool aside = std::abs(axes[0].velocity) > 1e-6 || std::abs(axes[1].velocity) > 1e-6;
+      comes_down = comes_down || (!aside && axes[2].velocity < -1e-6);
+      if (aside && !comes_down) lowest_aside = std::min(lowest_aside, axes[2].position);
+    });
+    EXPECT_GE(lowest_aside, highest - 1e-6) << "seed " << seed << '\n' << text.str();
+  }
+}
+
+// Nothing is known of the way of a tool that was only changed: up to the end of the axis.
+TEST_F(ProgramSearchTest, WithoutAWayBeforeTheToolGoesToTheTop) {
+  load("G21 G90\nG0 X10 Y10 Z-3\nT1 M6\nX20\nM30\n");
+  ASSERT_EQ(search("4"), "");
+  const auto report = bench.machine().search(1);
+  ASSERT_FALSE(report->approach.empty());
+  EXPECT_EQ(report->approach[0].end[2], testing::two_channel_machine().axes[2].limits.position_max);
 }
 
 // Between search and start the operator jogs, enters lines, measures.

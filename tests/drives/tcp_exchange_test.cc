@@ -134,7 +134,9 @@ TEST_F(TcpExchangeTest, BelievesNoWriteThatWentElsewhere) {
   for (const int first : {3, 4}) {
     const auto error = outcome(
         [&](const Bytes& request) {
-          return Bytes{request[0], request[1], 0, 0, 0, 6, unit, 16, 0, static_cast<std::uint8_t>(first), 0, 2};
+          return Bytes{request[0], request[1], 0,  0, 0,
+                       6,          unit,       16, 0, static_cast<std::uint8_t>(first),
+                       0,          2};
         },
         write);
     EXPECT_EQ(error.has_value(), first != 3);
