@@ -3,7 +3,7 @@
 //   # comment
 //   anna:operator:$argon2id$v=19$m=65536,t=2,p=1$...
 //
-// Written whole or not at all: a new file beside, fsync, rename. Not to be read by others.
+// Private (web/access/private_file.h).
 #pragma once
 
 #include <filesystem>
