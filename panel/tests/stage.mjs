@@ -103,10 +103,12 @@ async function startDaemon(folder, machine, programs, name = 'stanok') {
   return { daemon, socket, client };
 }
 
+const sessionsBeside = (users) => `${users}.sessions`;
+
 async function startServer(socket, users, listen = '127.0.0.1:0', others = []) {
   const options = ['--listen', listen, '--socket', socket, '--page', join(root, 'panel/dist')];
   options.push(...others);
-  options.push('--users', users);
+  options.push('--users', users, '--sessions', sessionsBeside(users));
   const server = spawn(join(bin, 'stanok-web'), options, { stdio: ['ignore', 'pipe', 'ignore'] });
   let printed = '';
   server.stdout.on('data', (text) => (printed += text));
@@ -211,8 +213,9 @@ export async function setStage({
     },
     /** The server falls silent, as a network that hangs, or speaks again. */
     silence: (on) => server.kill(on ? 'SIGSTOP' : 'SIGCONT'),
-    async restartServer() {
+    async restartServer({ forgets = false } = {}) {
       await end(server, 'SIGKILL');
+      if (forgets) rmSync(sessionsBeside(users));
       ({ server, address } = await startServer(socket, users, address, others));
     },
     async close() {

@@ -277,9 +277,20 @@ describe('states', () => {
     await page.context().close();
   });
 
-  test('signed out: the sessions of a server end with it', async () => {
+  test('a server that comes back knows its pages', async () => {
     const page = await stage.openMachine();
+    await page.locator('main > .machine:not(.old)').waitFor();
+    const again = page.waitForEvent('websocket');
     await stage.restartServer();
+    await again;
+    await page.locator('main > .machine:not(.old)').waitFor();
+    assert.equal(await page.getByText('You are not signed in.').count(), 0);
+    await page.context().close();
+  });
+
+  test('signed out: by a server that has lost its sessions', async () => {
+    const page = await stage.openMachine();
+    await stage.restartServer({ forgets: true });
     await page.getByText('You are not signed in.').waitFor();
     assert.deepEqual(await findings(page), []);
     assert.equal(await page.locator('button.stop').count(), 0);

@@ -171,6 +171,111 @@ class Links(WithServer):
         self.assertEqual(refused.exception.status, 401)
 
 
+class Restarts(unittest.TestCase):
+    """A server that ends and comes back at the same port, with the same file of sessions."""
+    PASSWORD = "correct horse battery"
+
+    def setUp(self):
+        stack = contextlib.ExitStack()
+        self.addCleanup(stack.close)
+        self.folder = stack.enter_context(tempfile.TemporaryDirectory())
+        self.sessions = os.path.join(self.folder, "state", "sessions")
+        self.users = os.path.join(self.folder, "users")
+        self.user("add", "anna", "--role", "operator")
+        self.daemon = stack.enter_context(FakeDaemon(os.path.join(self.folder, "op.sock")))
+        with socket.create_server(("127.0.0.1", 0)) as free:
+            self.port = free.getsockname()[1]
+
+    def user(self, *arguments):
+        subprocess.run([STANOK_WEB, "user", *arguments, "--users", self.users], input=self.PASSWORD + "\n", check=True,
+                       capture_output=True, text=True, timeout=PATIENCE_S)
+
+    def serving(self):
+        return running_web(STANOK_WEB, self.folder, os.path.join(self.folder, "op.sock"), "--sessions", self.sessions,
+                           "--listen", f"127.0.0.1:{self.port}", "--users", self.users, error=subprocess.DEVNULL)
+
+    def kept(self):
+        with open(self.sessions, encoding="utf-8") as file:
+            return json.load(file)["sessions"]
+
+    def status_of(self, browser, web):
+        browser.web = web
+        return browser.request("GET", "/api/session").status
+
+    def enter_and_restart(self, change=lambda: None):
+        """Two browsers, one by a link and one by a password, and their answers after the restart."""
+        with self.serving() as web:
+            browsers = Browser(web), Browser(web)
+            browsers[0].enter_by_link()
+            self.assertEqual(browsers[1].enter("anna", self.PASSWORD).status, 204)
+        change()
+        with self.serving() as web:
+            return [self.status_of(browser, web) for browser in browsers]
+
+    def test_sessions_survive_it(self):
+        self.assertEqual(self.enter_and_restart(), [200, 200])
+
+    def test_pages_open_again_and_have_their_roles(self):
+        with self.serving() as web:
+            browser = Browser(web)
+            browser.enter("anna", self.PASSWORD)
+        with self.serving() as web:
+            browser.web = web
+            window = browser.open_window()
+            self.assertEqual(window.receive()["params"]["user"], "anna")
+            self.assertEqual(json.loads(self.daemon.lines[-1])["params"], {"role": "operator", "name": "anna"})
+            window.close()
+
+    def test_they_survive_a_crash_and_so_does_their_end(self):
+        with self.serving() as web:
+            stays, leaves = Browser(web), Browser(web)
+            stays.enter_by_link()
+            leaves.enter("anna", self.PASSWORD)
+            cookie = leaves.cookie
+            self.assertEqual(leaves.request("DELETE", "/api/session").status, 204)
+            web.process.kill()
+            web.process.wait()
+            web.process.returncode = 0  # as it was meant
+        with self.serving() as web:
+            leaves.cookie = cookie
+            self.assertEqual((self.status_of(stays, web), self.status_of(leaves, web)), (200, 401))
+
+    def test_the_file_is_for_its_owner_and_holds_no_secret(self):
+        with self.serving() as web:
+            browser = Browser(web)
+            browser.enter_by_link()
+            self.assertEqual(os.stat(self.sessions).st_mode & 0o777, 0o600)
+            with open(self.sessions, encoding="utf-8") as file:
+                text = file.read()
+            self.assertNotIn(browser.cookie.split("=")[1], text)
+            self.assertNotIn(web.token, text)
+
+    def test_they_grow_old_while_it_is_away(self):
+        for member, hours, status in (("begun_s", 7 * 24 + 1, 401), ("used_s", 13, 401), ("used_s", 11, 200)):
+            def make_older():
+                sessions = self.kept()
+                for session in sessions:
+                    session[member] -= hours * 3600
+                with open(self.sessions, "w", encoding="utf-8") as file:
+                    json.dump({"sessions": sessions}, file)
+            with self.subTest(member=member, hours=hours):
+                self.assertEqual(self.enter_and_restart(make_older), [status, status])
+
+    def test_who_is_removed_or_changed_meanwhile_is_out(self):
+        self.assertEqual(self.enter_and_restart(lambda: self.user("add", "anna", "--role", "observer")), [200, 401])
+        self.user("add", "boris", "--role", "operator")
+        self.assertEqual(self.enter_and_restart(lambda: self.user("remove", "anna")), [200, 401])
+
+    def test_a_file_that_cannot_be_believed_lets_nobody_in(self):
+        def damage():
+            with open(self.sessions, "w", encoding="utf-8") as file:
+                file.write('{"sessions": [{"secret": "00"')
+
+        for change in (damage, lambda: os.chmod(self.sessions, 0o666)):
+            with self.subTest(change):
+                self.assertEqual(self.enter_and_restart(change), [401, 401])
+
+
 class Windows(WithServer):
     def setUp(self):
         super().setUp()

@@ -54,6 +54,8 @@ void sync_folder_of(const fs::path& file) {
 void refuse_open_file(const fs::path& file) {
   struct stat status{};
   if (::stat(file.c_str(), &status) != 0) refuse(file, system_error_text(errno));
+  if (status.st_uid != ::geteuid() && status.st_uid != 0)
+    refuse(file, "it belongs to another user");
   if ((status.st_mode & too_open) != 0)
     refuse(file, "others may read or write it, which nobody but its owner should: chmod 600");
 }

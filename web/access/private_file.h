@@ -8,7 +8,8 @@
 
 namespace stanok::web {
 
-// Throws std::runtime_error where the group may write the file, or others may do anything with it.
+// Throws std::runtime_error where it belongs to somebody else than who runs this, or root; where
+// the group may write it, or others may do anything with it.
 void refuse_open_file(const std::filesystem::path& file);
 
 // With mode 0600. Throws std::runtime_error; the file is then as it was.

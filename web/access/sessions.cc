@@ -41,6 +41,28 @@ std::vector<std::uint64_t> Sessions::end_where(const Condition& condition, Time 
   return ended;
 }
 
+std::vector<KeptSession> Sessions::kept(Time now, KeptSession::Time wall_now) const {
+  const auto on_wall = [&](Time time) {
+    return wall_now - std::chrono::duration_cast<KeptSession::Time::duration>(now - time);
+  };
+  std::vector<KeptSession> kept;
+  kept.reserve(entries_.size());
+  for (const auto& [hash, entry] : entries_)
+    kept.push_back({hash, entry.session.identity, on_wall(entry.begun), on_wall(entry.used)});
+  return kept;
+}
+
+void Sessions::restore(const std::vector<KeptSession>& kept, Time now, KeptSession::Time wall_now) {
+  const auto steady = [&](KeptSession::Time time) {
+    return now - (wall_now - std::min(time, wall_now));
+  };
+  for (const KeptSession& one : kept) {
+    Entry entry{{++last_id_, one.identity}, steady(one.begun), steady(one.used)};
+    const bool has_room = entries_.size() < sessions_max;
+    if (has_room && !is_over(entry, now)) entries_[one.secret] = std::move(entry);
+  }
+}
+
 bool Sessions::is_over(const Entry& entry, Time now) {
   return now - entry.used > idle_max || now - entry.begun > age_max;
 }

@@ -2,7 +2,7 @@
 //
 // The browser holds a secret in a cookie, the server its hash. A session ends when nobody used it
 // for `idle_max`, after `age_max`, by its own wish, or when its user is taken away; a page that is
-// open uses it. One thread.
+// open uses it. Those that outlive the server are measured on the wall clock meanwhile. One thread.
 #pragma once
 
 #include <chrono>
@@ -31,6 +31,15 @@ struct WebSession {
   Identity identity;
 };
 
+// A session as it outlives the server.
+struct KeptSession {
+  using Time = std::chrono::system_clock::time_point;
+  SecretHash secret{};
+  Identity identity;
+  Time begun{};
+  Time used{};
+};
+
 class Sessions {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -50,6 +59,11 @@ class Sessions {
   // Ends all that are asked for, and those whose time is over; their ids.
   using Condition = std::function<bool(const WebSession& session)>;
   [[nodiscard]] std::vector<std::uint64_t> end_where(const Condition& condition, Time now);
+
+  // What is to be kept, and where it is taken up again. A time that has not come yet counts as now:
+  // somebody has set the clock.
+  [[nodiscard]] std::vector<KeptSession> kept(Time now, KeptSession::Time wall_now) const;
+  void restore(const std::vector<KeptSession>& kept, Time now, KeptSession::Time wall_now);
 
  private:
   struct Entry {

@@ -1,14 +1,17 @@
 // Authentication: lets users in by a one-time link or a password, and knows them by their cookie.
 //
-// One thread.
+// Sessions outlive the server in a file, which a thread of its own writes before an answer tells of
+// them. One thread.
 #pragma once
 
+#include <boost/asio/thread_pool.hpp>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "web/access/one_time_links.h"
+#include "web/access/session_file.h"
 #include "web/access/sessions.h"
 #include "web/server/answer.h"
 #include "web/server/login_desk.h"
@@ -19,9 +22,13 @@ class Authentication {
  public:
   using OnEnd = std::function<void(const std::vector<std::uint64_t>& sessions)>;
 
-  // `on_end` is told the sessions that have ended. Throws std::runtime_error when the users cannot
-  // be read.
-  Authentication(Scheme scheme, std::filesystem::path users, OnEnd on_end);
+  // `on_end` is told the sessions that have ended; an empty name of the file of the sessions: none
+  // outlives the server. Throws std::runtime_error when the users cannot be read.
+  Authentication(Scheme scheme, std::filesystem::path users, std::filesystem::path sessions,
+                 OnEnd on_end);
+  ~Authentication();
+  Authentication(const Authentication&) = delete;
+  Authentication& operator=(const Authentication&) = delete;
 
   [[nodiscard]] bool has_users() const { return logins_.has_users(); }
 
@@ -31,19 +38,26 @@ class Authentication {
   [[nodiscard]] std::string issue_link();
   [[nodiscard]] std::optional<WebSession> session_of(const Request& request);
   // Answers the request for a session by a link.
-  [[nodiscard]] Answer enter_by_link(const std::string& secret);
+  [[nodiscard]] boost::asio::awaitable<Answer> enter_by_link(std::string secret);
   [[nodiscard]] boost::asio::awaitable<Answer> enter_by_password(std::string name,
                                                                  std::string password,
                                                                  boost::asio::ip::address from);
-  [[nodiscard]] Answer leave(const Request& request);
+  [[nodiscard]] boost::asio::awaitable<Answer> leave(const Request& request);
   // To be called about once a second, with the sessions of the pages that are open. Whose name,
   // role or password has changed is out.
   void tick(const std::vector<std::uint64_t>& open);
 
  private:
-  [[nodiscard]] Answer let_in(Identity identity);
+  [[nodiscard]] boost::asio::awaitable<Answer> let_in(Identity identity);
   [[nodiscard]] std::string cookie(const std::string& value, std::chrono::seconds age) const;
-  void end_where(const Sessions::Condition& condition);
+  // Whether any ended.
+  bool end_where(const Sessions::Condition& condition);
+  void restore();
+  // Writes the sessions of now, in the thread for it. A fault is told in the log; what is not kept
+  // is in force.
+  [[nodiscard]] boost::asio::awaitable<void> keeping();
+  // Returns when they are on the disk.
+  [[nodiscard]] boost::asio::awaitable<void> keep();
 
   Scheme scheme_;
   OnEnd on_end_;
@@ -51,6 +65,9 @@ class Authentication {
   Sessions sessions_;
   OneTimeLinks links_;
   LoginDesk logins_;
+  std::filesystem::path file_;
+  std::chrono::steady_clock::time_point kept_at_{};
+  boost::asio::thread_pool writing_{1};
 };
 
 }  // namespace stanok::web

@@ -133,7 +133,7 @@ asio::awaitable<Answer> Reception::answer(const Request& request, asio::ip::addr
 
 asio::awaitable<Answer> Reception::answer_session(const Request& request, asio::ip::address from) {
   if (request.method() == verb::post) co_return co_await begin_session(request, from);
-  if (request.method() == verb::delete_) co_return authentication_.leave(request);
+  if (request.method() == verb::delete_) co_return co_await authentication_.leave(request);
   if (reads_only(request)) co_return co_await describe_session(request);
   co_return not_allowed("GET, HEAD, POST, DELETE");
 }
@@ -142,7 +142,7 @@ asio::awaitable<Answer> Reception::begin_session(const Request& request, asio::i
   if (!has_json(request)) co_return not_json();
   const Members wanted(request);
   const std::string token = wanted["token"];
-  if (!token.empty()) co_return authentication_.enter_by_link(token);
+  if (!token.empty()) co_return co_await authentication_.enter_by_link(token);
   const std::string name = wanted["name"];
   if (name.empty())
     co_return refusal(Status::bad_request,

@@ -23,6 +23,7 @@ struct WebOptions {
   std::filesystem::path page;
   std::filesystem::path manual;           // the documents that the page shows; may be missing
   std::filesystem::path users;            // empty: none
+  std::filesystem::path sessions;         // what outlives the server; empty: nothing
   std::filesystem::path tls_certificate;  // empty: no TLS
   std::filesystem::path tls_key;
   std::vector<std::string> names;  // by which browsers may call the server

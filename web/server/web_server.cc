@@ -100,7 +100,7 @@ WebServer::Parts::Parts(const WebOptions& options)
             .manual = PageFiles(options.manual, "README.md"),
             .machines = MachineList(options.sockets),
             .history = HistoryDesk(options.history)},
-      authentication(scheme, options.users,
+      authentication(scheme, options.users, options.sessions,
                      [this](const auto& sessions) { connections.end_relays_of(sessions); }),
       reception({.page = shown.page,
                  .manual = shown.manual,
