@@ -72,20 +72,20 @@ start_machine() {
   cell_operator "$member" machine on >/dev/null
 }
 
-# One page shows all machines. Its link is good once.
+# One page shows all machines.
 start_cell_page() {
   local member sockets=()
   for member in "${cell_machines[@]}"; do sockets+=(--socket "$cell/$member.sock"); done
   "$bin/stanok-web" --listen 127.0.0.1:0 "${sockets[@]}" --history "$cell/gateway/history.sqlite" \
-    >"$cell/page.link" 2>"$cell/page.log" &
+    >"$cell/page.address" 2>"$cell/page.log" &
   cell_processes+=("$!")
-  wait_for page test -s "$cell/page.link"
+  wait_for page test -s "$cell/page.address"
 }
 
 say_what_to_look_at() {
   say "What to look at, each in a terminal of its own"
   cat <<TEXT
-page        $(grep -om 1 'http[^ ]*' "$cell/page.link")   (good once: $bin/stanok panel --socket $cell/mill.sock prints another)
+page        $("$bin/stanok" panel --socket "$cell/mill.sock" --no-open 2>/dev/null)   (good once: $bin/stanok panel --socket $cell/mill.sock prints another)
             its view "Cell" shows the three machines and their history
 messages    mosquitto_sub -p $broker_port -t 'cell/#' -v
 history     $bin/stanok history oee --since 1h --database $cell/gateway/history.sqlite

@@ -1,8 +1,6 @@
 #include "client/operator/panel_command.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -17,6 +15,7 @@
 
 #include "base/place.h"
 #include "base/system_error.h"
+#include "client/operator/link_page.h"
 #include "client/operator/operator_client.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
@@ -97,21 +96,6 @@ bool has_screen() {
     return value != nullptr && *value != '\0';
   };
   return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
-}
-
-// Whether a browser was asked to; what it does with the link is not known.
-bool open_in_browser(std::string link) {
-  std::string program = "xdg-open";
-  std::array<char*, 3> arguments{program.data(), link.data(), nullptr};
-  posix_spawn_file_actions_t actions{};
-  posix_spawn_file_actions_init(&actions);
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
-  pid_t process = 0;
-  const int error =
-      posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return error == 0;
 }
 
 void show_panel(const PanelOptions& options) {

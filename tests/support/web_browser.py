@@ -30,8 +30,15 @@ class Silence(Exception):
     """The server sends nothing but pings."""
 
 
+def new_link(link_socket):
+    """As `stanok panel` gets one."""
+    with socket.socket(socket.AF_UNIX) as desk, desk.makefile() as stream:
+        desk.connect(link_socket)
+        return json.loads(stream.read())["link"]
+
+
 class Web:
-    """The server: where it is, and what it printed."""
+    """The server: where it is, and a link to it."""
 
     def __init__(self, process, link):
         self.process, self.link = process, link
@@ -50,11 +57,12 @@ def running_web(stanok_web, folder, socket_path, *options, error=None):
     usual = {"--listen": "127.0.0.1:0", "--socket": socket_path, "--page": os.path.join(folder, "page"),
              "--link-socket": os.path.join(folder, "links.panel")}
     words = [word for option in usual.items() if option[0] not in options for word in option]
+    link_socket = options[options.index("--link-socket") + 1] if "--link-socket" in options else usual["--link-socket"]
     process = subprocess.Popen([stanok_web, *words, *options], stdout=subprocess.PIPE, stderr=error, text=True)
     try:
-        link = process.stdout.readline().strip()
-        assert link.startswith("http"), f"stanok-web printed {link!r}"
-        yield Web(process, link)
+        address = process.stdout.readline().strip()
+        assert address.startswith("http"), f"stanok-web printed {address!r}"
+        yield Web(process, new_link(link_socket))
     finally:
         process.terminate()
         code = process.wait(PATIENCE_S)

@@ -387,6 +387,39 @@ class AtTheMachine(unittest.TestCase):
         session = self.browser.request("GET", "/api/session").json()
         self.assertEqual(session["role"], "integrator")
 
+    def test_stanok_panel_hands_a_link_to_the_browser_past_other_users(self):
+        """What a program is started with can be read by everybody in /proc; the page that it is given by its user."""
+        programs = os.path.join(self.folder, "programs")
+        os.mkdir(programs)
+        seen = os.path.join(self.folder, "seen.json")
+        browser = os.path.join(programs, "xdg-open")
+        with open(browser, "w", encoding="utf-8") as file:
+            file.write("#!/usr/bin/env python3\nimport json, os, sys\n"
+                       "place = sys.argv[1]\nmode = lambda name: os.stat(name).st_mode & 0o777\n"
+                       "seen = {'argv': sys.argv, 'file': mode(place), 'folder': mode(os.path.dirname(place)),\n"
+                       "        'text': open(place).read()}\n"
+                       f"json.dump(seen, open({seen + '.new'!r}, 'w'))\nos.rename({seen + '.new'!r}, {seen!r})\n")
+        os.chmod(browser, 0o755)
+        surroundings = {**os.environ, "DISPLAY": ":0", "PATH": f"{programs}:{os.environ['PATH']}"}
+        desk = os.path.join(self.folder, "links.panel")
+        printed = subprocess.run([STANOK, "panel", "--link-socket", desk, "--json"], env=surroundings, check=True,
+                                 capture_output=True, timeout=PATIENCE_S)
+        answer = json.loads(printed.stdout)
+        self.assertTrue(answer["opened"])
+        end = time.monotonic() + PATIENCE_S
+        while not os.path.exists(seen):
+            self.assertLess(time.monotonic(), end, "the browser was never started")
+            time.sleep(0.02)
+        with open(seen, encoding="utf-8") as file:
+            found = json.load(file)
+        token = answer["link"].split("#")[1]
+        self.assertNotIn(token, json.dumps(found["argv"]))
+        self.assertEqual((found["file"], found["folder"]), (0o600, 0o700))
+        self.assertIn(f'content="0; url={answer["link"]}"', found["text"])
+        while os.path.exists(os.path.dirname(found["argv"][1])):
+            self.assertLess(time.monotonic(), end, "the page was never removed")
+            time.sleep(0.2)
+
     def test_stanok_panel_says_that_there_is_no_server(self):
         done = subprocess.run([STANOK, "panel", "--socket", os.path.join(self.folder, "none.sock")], check=False,
                               capture_output=True, text=True, timeout=PATIENCE_S)

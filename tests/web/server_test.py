@@ -7,6 +7,7 @@ import contextlib
 import gzip
 import json
 import os
+import pty
 import socket
 import subprocess
 import sys
@@ -15,7 +16,7 @@ import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "support"))
-from web_browser import PATIENCE_S, Browser, Closed, FakeDaemon, Refused, connect, running_web  # noqa: E402
+from web_browser import PATIENCE_S, Browser, Closed, FakeDaemon, Refused, connect, new_link, running_web  # noqa: E402
 
 STANOK_WEB = sys.argv.pop(1)
 with open(STANOK_WEB, "rb") as program:
@@ -56,9 +57,7 @@ class WithServer(unittest.TestCase):
             file.write(text)
 
     def another_link(self):
-        with socket.socket(socket.AF_UNIX) as desk:
-            desk.connect(os.path.join(self.folder, "links.panel"))
-            return json.loads(desk.makefile().read())["link"]
+        return new_link(os.path.join(self.folder, "links.panel"))
 
 
 class Files(WithServer):
@@ -638,6 +637,41 @@ class RudeClients(WithServer):
                     except TimeoutError:
                         continue
                 self.fail("the connection is still there")
+
+
+class WhatItPrints(unittest.TestCase):
+    """A service prints into a journal, which others read; a terminal has one reader."""
+
+    @contextlib.contextmanager
+    def printing_to(self, output):
+        with tempfile.TemporaryDirectory() as folder, FakeDaemon(os.path.join(folder, "op.sock")):
+            server = subprocess.Popen([STANOK_WEB, "--listen", "127.0.0.1:0", "--socket", os.path.join(folder, "op.sock")],
+                                      stdout=output, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+            try:
+                yield server, os.path.join(folder, "op.panel")
+            finally:
+                server.terminate()
+                server.wait(PATIENCE_S)
+
+    def test_a_service_prints_no_link(self):
+        with tempfile.TemporaryFile() as output:
+            with self.printing_to(output) as (_, desk):
+                end = time.monotonic() + PATIENCE_S
+                while os.fstat(output.fileno()).st_size == 0:
+                    self.assertLess(time.monotonic(), end, "it never said where it is")
+                    time.sleep(0.01)
+                token = new_link(desk).split("#")[1]
+            output.seek(0)
+            said = output.read().decode()
+        self.assertRegex(said, r"http://127\.0\.0\.1:\d+\n")
+        self.assertNotIn("#", said)
+        self.assertNotIn(token, said)
+
+    def test_a_terminal_gets_one(self):
+        ours, its = pty.openpty()
+        with self.printing_to(its), open(ours, "rb", buffering=0) as terminal:
+            os.close(its)
+            self.assertRegex(terminal.read(200).decode(), r"http://127\.0\.0\.1:\d+/#\S{43}\r\n")
 
 
 class CommandLine(unittest.TestCase):

@@ -1,5 +1,7 @@
 // stanok-web: serves the page with which a machine is seen and worked in a browser. Command line
 // and exit codes; everything else is in web/server/web_server.h.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -86,7 +88,9 @@ int serve(CommandLine given) {
   stanok::web::log_to_standard_error();
   std::signal(SIGPIPE, SIG_IGN);
   stanok::web::WebServer server(complete(std::move(given)));
-  std::printf("%s\n", server.new_link().c_str());
+  // Only to a terminal: what a service prints stands in a journal, that others read.
+  const bool is_seen = ::isatty(STDOUT_FILENO) == 1;
+  std::printf("%s\n", is_seen ? server.new_link().c_str() : server.address().c_str());
   std::fflush(stdout);
   server.run();
   return 0;
