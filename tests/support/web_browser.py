@@ -78,8 +78,8 @@ class Response:
         return json.loads(self.content)
 
 
-def connect(web):
-    plain = socket.create_connection(("127.0.0.1", web.port), PATIENCE_S)
+def connect(web, source="127.0.0.1"):
+    plain = socket.create_connection(("127.0.0.1", web.port), PATIENCE_S, (source, 0))
     if web.scheme == "http":
         return plain
     context = ssl.create_default_context()
@@ -102,8 +102,9 @@ def read_head(stream):
 class Browser:
     """Keeps a cookie, as browsers do; every request has a connection of its own."""
 
-    def __init__(self, web):
-        self.web, self.cookie = web, ""
+    def __init__(self, web, source="127.0.0.1"):
+        """`source`: the address that it comes from."""
+        self.web, self.source, self.cookie = web, source, ""
 
     def request(self, method, path, content=None, **changed):
         """`changed` are fields by name with _ for -; None leaves one out."""
@@ -117,7 +118,7 @@ class Browser:
             fields["Cookie"] = self.cookie
         fields.update({name.replace("_", "-"): value for name, value in changed.items()})
         head = "".join(f"{name}: {value}\r\n" for name, value in fields.items() if value is not None)
-        with connect(self.web) as one, one.makefile("rb") as stream:
+        with connect(self.web, self.source) as one, one.makefile("rb") as stream:
             one.sendall(f"{method} {path} HTTP/1.1\r\n{head}\r\n".encode() + body)
             status, got = read_head(stream)
             content = b"" if method == "HEAD" else stream.read()

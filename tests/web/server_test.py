@@ -12,6 +12,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -458,6 +459,37 @@ class Users(WithUsers):
         for name, password in (("anna", ""), ("anna", "x" * 300), ("", ""), ("anna:", ""), ("an\0na", self.PASSWORD)):
             self.assertIn(self.browser.enter(name, password).status, (400, 401))
         self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+
+    @contextlib.contextmanager
+    def guessing(self, guessers):
+        """Each guesses again as soon as it is answered; (name, address) as long as this lasts."""
+        done = threading.Event()
+
+        def guess(name, source):
+            browser = Browser(self.web, source)
+            while not done.is_set():
+                with contextlib.suppress(OSError, Closed):
+                    browser.enter(name, "wrong password")
+
+        threads = [threading.Thread(target=guess, args=pair, daemon=True) for pair in guessers]
+        for thread in threads:
+            thread.start()
+        try:
+            time.sleep(3)  # they are at it
+            yield
+        finally:
+            done.set()
+            for thread in threads:
+                thread.join(PATIENCE_S)
+
+    def test_forty_addresses_that_guess_keep_nobody_out(self):
+        with self.guessing([("anna", f"127.0.1.{k + 1}") for k in range(40)]):
+            self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+
+    def test_who_guesses_behind_the_same_tunnel_keeps_nobody_out(self):
+        names = ("boris", "carl", "dora", "root", "admin")
+        with self.guessing([(name, "127.0.0.1") for name in names for _ in range(4)]):
+            self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
 
     def test_a_user_who_is_removed_or_changed_loses_the_page(self):
         # New ones: the server may still know another anna when her password already opens.

@@ -46,38 +46,70 @@ LoginDesk::LoginDesk(fs::path file) : file_(std::move(file)) {
 
 asio::awaitable<LoginDesk::Outcome> LoginDesk::log_in(std::string name, std::string password,
                                                       asio::ip::address from) {
-  const std::string place = network_place(from);
+  using std::chrono::steady_clock;
+  const Outcome busy{.identity = {}, .refusal = Refusal::busy};
   if (!has_users() || password.size() > password_bytes_max) co_return Outcome{};
-  if (!delays_.begin(place)) co_return Outcome{.identity = {}, .refusal = Refusal::busy};
-  Outcome outcome;
-  try {
-    outcome = co_await judge(name, password, place);
-  } catch (...) {
-    delays_.end(place);
-    throw;
+  // All names that nobody can have are one.
+  const std::string shown = defect_of_name(name).empty() ? name : "?";
+  const Claimant claimant{shown, network_place(from)};
+  const auto now = steady_clock::now();
+  if (delays_.next_try(claimant, now) > now) co_return busy;
+  const auto entered = turns_.enter(claimant);
+  if (!entered) co_return busy;
+  const bool has_turn = co_await wait_for_turn(*entered);
+  if (!has_turn) co_return busy;
+  auto identity = co_await compare(std::move(name), std::move(password));
+  turns_.leave();
+  call_next();
+  if (identity) {
+    delays_.note_success(claimant);
+    co_return Outcome{.identity = std::move(identity)};
   }
-  delays_.end(place);
-  co_return outcome;
-}
-
-asio::awaitable<LoginDesk::Outcome> LoginDesk::judge(const std::string& name,
-                                                     const std::string& password,
-                                                     const std::string& place) {
-  const User* found = users_.find(name);
-  const std::string hash = found == nullptr ? nobody_ : found->password_hash;
-  const bool is_right =
-      co_await asio::co_spawn(hashing_, compare_in_thread(hash, password), asio::use_awaitable);
-  // The list may be another one by now.
-  const User* user = users_.find(name);
-  if (is_right && user != nullptr && user->password_hash == hash) {
-    delays_.note_success(place);
-    co_return Outcome{.identity = Identity{name, user->role, hash}};
-  }
-  const auto delay = delays_.note_failure(place, std::chrono::steady_clock::now());
-  spdlog::warn("a login as {} from {} failed", defect_of_name(name).empty() ? name : "?", place);
+  const auto delay = delays_.note_failure(claimant, steady_clock::now());
+  spdlog::warn("a login as {} from {} failed", shown, claimant.place);
   asio::steady_timer timer(co_await asio::this_coro::executor, delay);
   static_cast<void>(co_await timer.async_wait(asio::as_tuple(asio::use_awaitable)));
   co_return Outcome{};
+}
+
+asio::awaitable<bool> LoginDesk::wait_for_turn(const LoginTurns::Entered& entered) {
+  Waiting waiting{.bell = asio::steady_timer(co_await asio::this_coro::executor,
+                                             asio::steady_timer::time_point::max())};
+  waiting_[entered.ticket] = &waiting;
+  if (entered.pushed_out) ring(*entered.pushed_out, &Waiting::is_pushed_out);
+  call_next();
+  while (!waiting.is_called && !waiting.is_pushed_out)
+    static_cast<void>(co_await waiting.bell.async_wait(asio::as_tuple(asio::use_awaitable)));
+  waiting_.erase(entered.ticket);
+  co_return waiting.is_called;
+}
+
+void LoginDesk::call_next() {
+  if (const auto ticket = turns_.next()) ring(*ticket, &Waiting::is_called);
+}
+
+void LoginDesk::ring(LoginTurns::Ticket ticket, bool Waiting::* what) {
+  const auto found = waiting_.find(ticket);
+  if (found == waiting_.end()) return;
+  found->second->*what = true;
+  found->second->bell.cancel();
+}
+
+asio::awaitable<std::optional<Identity>> LoginDesk::compare(std::string name,
+                                                            std::string password) {
+  const User* found = users_.find(name);
+  const std::string hash = found == nullptr ? nobody_ : found->password_hash;
+  bool is_right = false;
+  try {
+    is_right = co_await asio::co_spawn(hashing_, compare_in_thread(hash, std::move(password)),
+                                       asio::use_awaitable);
+  } catch (const std::exception& fault) {
+    spdlog::error("a password could not be compared: {}", fault.what());
+  }
+  // The list may be another one by now.
+  const User* user = users_.find(name);
+  if (!is_right || user == nullptr || user->password_hash != hash) co_return std::nullopt;
+  co_return Identity{name, user->role, hash};
 }
 
 bool LoginDesk::look_at_file() {

@@ -1,4 +1,4 @@
-// Users in their file, and how long who guesses waits.
+// Users in their file, and their passwords.
 #include "web/access/user_list.h"
 
 #include <fcntl.h>
@@ -10,7 +10,6 @@
 
 #include "base/file_descriptor.h"
 #include "tests/support/temporary_directory.h"
-#include "web/access/login_delays.h"
 #include "web/access/password.h"
 #include "web/access/secret_text.h"
 
@@ -18,7 +17,6 @@ namespace stanok::web {
 namespace {
 
 using protocol::Role;
-using std::chrono::milliseconds;
 
 void write_private(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file) << text;
@@ -94,29 +92,6 @@ TEST(Passwords, AreKnownByTheirHash) {
   EXPECT_FALSE(is_password_of(hash, "correct horsf"));
   EXPECT_FALSE(is_password_of("nonsense", "correct horse"));
   EXPECT_NE(hash_of_password("correct horse"), hash) << "salted";
-}
-
-TEST(LoginDelays, DoubleWithEachFailureAndAreForgotten) {
-  LoginDelays delays;
-  const LoginDelays::Time start{std::chrono::hours(1)};
-  for (const int wanted : {500, 1000, 2000, 4000, 8000, 16000, 16000, 16000})
-    EXPECT_EQ(delays.note_failure("a", start), milliseconds(wanted));
-  EXPECT_EQ(delays.note_failure("b", start), milliseconds(500));
-  const auto later = start + LoginDelays::forgotten_after + std::chrono::seconds(1);
-  EXPECT_EQ(delays.note_failure("a", later), milliseconds(500));
-  delays.note_success("a");
-  EXPECT_EQ(delays.note_failure("a", later), milliseconds(500));
-}
-
-TEST(LoginDelays, LetOneFromEachPlaceTryAtATime) {
-  LoginDelays delays;
-  EXPECT_TRUE(delays.begin("0"));
-  EXPECT_FALSE(delays.begin("0"));
-  for (std::size_t k = 1; k < LoginDelays::logins_max; ++k)
-    EXPECT_TRUE(delays.begin(std::to_string(k)));
-  EXPECT_FALSE(delays.begin("one more"));
-  delays.end("0");
-  EXPECT_TRUE(delays.begin("one more"));
 }
 
 }  // namespace
