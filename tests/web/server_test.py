@@ -583,6 +583,17 @@ class Tls(WithUsers):
             browser.open_window().close()
             self.assertEqual(browser.request("GET", "/", Host="evil.example").status, 403)
 
+    def test_behind_a_socket_for_both_kinds_addresses_of_ipv4_are_many(self):
+        socket_path = os.path.join(self.folder, "op.sock")
+        with running_web(STANOK_WEB, self.folder, socket_path, *self.start_options(), "--listen", "[::]:0",
+                         "--link-socket", os.path.join(self.folder, "other.panel"), error=subprocess.DEVNULL) as web:
+            self.assertEqual(Browser(web, "127.0.0.2").enter("anna", "wrong password").status, 401)
+            guesser = threading.Thread(target=Browser(web, "127.0.0.2").enter, args=("anna", "wrong password"))
+            guesser.start()
+            time.sleep(0.5)  # it waits for its answer
+            self.assertEqual(Browser(web, "127.0.0.1").enter("anna", self.PASSWORD).status, 204)
+            guesser.join()
+
     def test_but_not_without_a_user(self):
         self.user("remove", "anna")
         done = subprocess.run([STANOK_WEB, "--listen", "0.0.0.0:0", "--socket", "/x", *self.start_options()],

@@ -14,10 +14,9 @@ std::optional<LoginTurns::Entered> LoginTurns::enter(const Claimant& claimant) {
 
 std::optional<LoginTurns::Ticket> LoginTurns::make_room() {
   if (waiting_ <= waiting_max) return std::nullopt;
-  const auto fullest =
-      std::max_element(places_.begin(), places_.end(), [](const auto& a, const auto& b) {
-        return a.second.size() < b.second.size();
-      });
+  const auto fullest = std::max_element(
+      places_.begin(), places_.end(),
+      [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
   const Waiting out = std::move(fullest->second.back());
   fullest->second.pop_back();
   if (fullest->second.empty()) places_.erase(fullest);

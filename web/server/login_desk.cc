@@ -22,9 +22,11 @@ fs::file_time_type time_of_change(const fs::path& file) {
   return error ? fs::file_time_type{} : time;
 }
 
-// Of IPv6 the network part.
+// Of IPv6 the network part; a socket for both shows the addresses of IPv4 as some of IPv6.
 std::string network_place(const asio::ip::address& from) {
   if (!from.is_v6()) return from.to_string();
+  if (from.to_v6().is_v4_mapped())
+    return asio::ip::make_address_v4(asio::ip::v4_mapped, from.to_v6()).to_string();
   auto bytes = from.to_v6().to_bytes();
   std::fill(bytes.begin() + 8, bytes.end(), static_cast<unsigned char>(0));
   return asio::ip::address_v6(bytes).to_string();
