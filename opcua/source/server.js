@@ -13,10 +13,11 @@ import {
 import { refuse_methods_of_types } from './alerts.js';
 import { Daemon } from './daemon.js';
 import { identities_from } from './identification.js';
+import { Logins } from './logins.js';
 import { Machine, add_axis_type } from './machine.js';
 import { namespaces, nodeset_files } from './namespaces.js';
 import { is_loopback } from './options.js';
-import { is_password, users_from } from './users.js';
+import { users_from } from './users.js';
 
 /**
  * @import { Namespace, RunningServer, ServerOptions, Users } from '../types/view.js'
@@ -77,10 +78,11 @@ function capabilities_of({ sessions }) {
  */
 function user_manager(users) {
   if (!users) return { isValidUser: () => false };
+  const logins = new Logins(users);
   return {
-    isValidUserAsync: (name, password, done) => {
-      is_password(users, name, password).then(
-        (is_right) => done(null, is_right),
+    isValidUserAsync(name, password, done) {
+      logins.is_admitted(name, password, this.channel?.remoteAddress ?? '').then(
+        (is_admitted) => done(null, is_admitted),
         (fault) => done(fault),
       );
     },

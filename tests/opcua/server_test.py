@@ -173,6 +173,10 @@ class TheServer(ServedMachine):
             self.client(server, user=("cell", "another password"))
         with self.assertRaises(Refused):
             self.client(server, user=("nobody", "a long password"))
+        with open(os.path.join(self.folder, "opcua.log"), encoding="utf-8") as log:
+            said = log.read()
+        self.assertIn("a login as cell from 127.0.0.1 failed", said)
+        self.assertIn("a login as nobody from 127.0.0.1 failed", said)
         self.client(server, user=("cell", "a long password"))
         with self.assertRaises(Refused):  # nobody has trusted this client
             self.client(server, "SignAndEncrypt", ("cell", "a long password"))
