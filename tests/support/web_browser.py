@@ -100,11 +100,11 @@ def read_head(stream):
 
 
 class Browser:
-    """Keeps a cookie, as browsers do; every request has a connection of its own."""
+    """Keeps a cookie and the key of the session, as browsers do; every request has a connection of its own."""
 
     def __init__(self, web, source="127.0.0.1"):
         """`source`: the address that it comes from."""
-        self.web, self.source, self.cookie = web, source, ""
+        self.web, self.source, self.cookie, self.key = web, source, "", ""
 
     def request(self, method, path, content=None, **changed):
         """`changed` are fields by name with _ for -; None leaves one out."""
@@ -116,6 +116,8 @@ class Browser:
                            "Origin": self.web.origin})
         if self.cookie:
             fields["Cookie"] = self.cookie
+        if self.key:
+            fields["X-Stanok-Key"] = self.key
         fields.update({name.replace("_", "-"): value for name, value in changed.items()})
         head = "".join(f"{name}: {value}\r\n" for name, value in fields.items() if value is not None)
         with connect(self.web, self.source) as one, one.makefile("rb") as stream:
@@ -124,11 +126,12 @@ class Browser:
             content = b"" if method == "HEAD" else stream.read()
         if "set-cookie" in got:
             self.cookie = got["set-cookie"].split(";")[0]
+            self.key = json.loads(content)["key"] if status == 200 else ""
         return Response(status, got, content)
 
     def enter_by_link(self):
         answer = self.request("POST", "/api/session", {"token": self.web.token})
-        assert answer.status == 204, answer.content
+        assert answer.status == 200, answer.content
 
     def enter(self, name, password):
         return self.request("POST", "/api/session", {"name": name, "password": password})
@@ -167,6 +170,8 @@ class Window:
             content = self.stream.read()
             self.close()
             raise Refused(status, content)
+        if browser.key:
+            self.send({"jsonrpc": "2.0", "method": "session.key", "params": {"key": browser.key}})
         accepted = base64.b64encode(hashlib.sha1((key + WEBSOCKET_GUID).encode()).digest()).decode()
         assert got["sec-websocket-accept"] == accepted
 

@@ -142,8 +142,8 @@ def main():
         browser.enter_by_link()
         end, rounds, before = time.monotonic() + SECONDS, 0, None
         while time.monotonic() < end:
-            if rounds % 50 == 0:
-                web.token = another_link(folder)  # it may have ended its own session
+            if rounds % 10 == 0 and rude.request("GET", "/api/session").status != 200:
+                web.token = another_link(folder)  # it has ended its own session
                 rude.enter_by_link()
             for act in (ask_nonsense, talk_nonsense):
                 act(chance, rude)

@@ -158,13 +158,13 @@ class Links(WithServer):
         self.browser.enter_by_link()
         window = self.browser.open_window()
         window.receive()
-        cookie = self.browser.cookie
+        cookie, key = self.browser.cookie, self.browser.key
         self.assertEqual(self.browser.request("DELETE", "/api/session").status, 204)
         with self.assertRaises(Closed):
             window.receive()
         window.close()
         self.daemon.wait_until(lambda daemon: daemon.open == 0)
-        self.browser.cookie = cookie
+        self.browser.cookie, self.browser.key = cookie, key
         self.assertEqual(self.browser.request("GET", "/api/session").status, 401)
         with self.assertRaises(Refused) as refused:
             self.browser.open_window()
@@ -207,7 +207,7 @@ class Restarts(unittest.TestCase):
         with self.serving() as web:
             browsers = Browser(web), Browser(web)
             browsers[0].enter_by_link()
-            self.assertEqual(browsers[1].enter("anna", self.PASSWORD).status, 204)
+            self.assertEqual(browsers[1].enter("anna", self.PASSWORD).status, 200)
         change()
         with self.serving() as web:
             return [self.status_of(browser, web) for browser in browsers]
@@ -231,13 +231,13 @@ class Restarts(unittest.TestCase):
             stays, leaves = Browser(web), Browser(web)
             stays.enter_by_link()
             leaves.enter("anna", self.PASSWORD)
-            cookie = leaves.cookie
+            cookie, key = leaves.cookie, leaves.key
             self.assertEqual(leaves.request("DELETE", "/api/session").status, 204)
             web.process.kill()
             web.process.wait()
             web.process.returncode = 0  # as it was meant
         with self.serving() as web:
-            leaves.cookie = cookie
+            leaves.cookie, leaves.key = cookie, key
             self.assertEqual((self.status_of(stays, web), self.status_of(leaves, web)), (200, 401))
 
     def test_the_file_is_for_its_owner_and_holds_no_secret(self):
@@ -248,6 +248,7 @@ class Restarts(unittest.TestCase):
             with open(self.sessions, encoding="utf-8") as file:
                 text = file.read()
             self.assertNotIn(browser.cookie.split("=")[1], text)
+            self.assertNotIn(browser.key, text)
             self.assertNotIn(web.token, text)
 
     def test_they_grow_old_while_it_is_away(self):
@@ -274,6 +275,74 @@ class Restarts(unittest.TestCase):
         for change in (damage, lambda: os.chmod(self.sessions, 0o666)):
             with self.subTest(change):
                 self.assertEqual(self.enter_and_restart(change), [401, 401])
+
+
+class StolenCookies(WithServer):
+    """A cookie goes to every port of the host; the key of its session stays in the storage of this origin."""
+
+    def setUp(self):
+        super().setUp()
+        self.browser.enter_by_link()
+
+    def thief(self, key=""):
+        thief = Browser(self.web)
+        thief.cookie, thief.key = self.browser.cookie, key
+        return thief
+
+    def test_a_cookie_alone_tells_nothing(self):
+        for method, path in (("GET", "/api/session"), ("GET", "/api/machines"), ("DELETE", "/api/session")):
+            with self.subTest(method=method, path=path):
+                self.assertEqual(self.thief().request(method, path).status, 401)
+        self.assertEqual(self.thief().request("POST", "/api/history", {"query": "runs"}).status, 401)
+        self.assertEqual(self.browser.request("GET", "/api/session").status, 200)
+
+    def test_a_wrong_key_ends_the_session_and_its_pages(self):
+        window = self.browser.open_window()
+        self.assertEqual(window.receive()["method"], "hello")
+        self.assertEqual(self.thief("x" * 43).request("GET", "/api/session").status, 401)
+        with self.assertRaises((Closed, OSError)):
+            window.receive()
+        window.close()
+        self.assertEqual(self.browser.request("GET", "/api/session").status, 401)
+
+    def test_a_window_without_the_key_sees_no_machine_and_ends_the_session(self):
+        def machine_start(window):
+            window.send({"jsonrpc": "2.0", "id": 1, "method": "program.start", "params": {}})
+
+        def other_key(window):
+            window.send({"jsonrpc": "2.0", "method": "session.key", "params": {"key": "x" * 43}})
+
+        for first in (machine_start, other_key, lambda window: window.send("[]"), lambda window: window.send("nonsense")):
+            with self.subTest(first):
+                window = self.thief().open_window()
+                first(window)
+                with self.assertRaises((Closed, OSError)):
+                    window.receive()
+                window.close()
+                self.assertEqual(self.browser.request("GET", "/api/session").status, 401)
+                self.web.token = self.another_link().split("#")[1]
+                self.browser.enter_by_link()
+        self.assertEqual(self.daemon.lines, [])
+
+    def test_a_window_that_says_nothing_ends_and_the_session_goes_on(self):
+        window = self.thief().open_window()
+        with self.assertRaises((Closed, OSError)):
+            window.receive()
+        window.close()
+        self.assertEqual(self.browser.request("GET", "/api/session").status, 200)
+        self.assertEqual(self.daemon.lines, [])
+
+    def test_another_sign_in_of_the_browser_ends_the_session_before(self):
+        window = self.browser.open_window()
+        window.receive()
+        before = self.thief(self.browser.key)
+        self.web.token = self.another_link().split("#")[1]
+        self.browser.enter_by_link()
+        with self.assertRaises((Closed, OSError)):
+            window.receive()
+        window.close()
+        self.assertEqual(before.request("GET", "/api/session").status, 401)
+        self.assertEqual(self.browser.request("GET", "/api/session").status, 200)
 
 
 class Windows(WithServer):
@@ -403,11 +472,11 @@ class WithUsers(WithServer):
     def wait_for_user(self, name):
         """The server looks at its file about once a second."""
         end = time.monotonic() + PATIENCE_S
-        while self.browser.enter(name, self.PASSWORD).status != 204:
+        while self.browser.enter(name, self.PASSWORD).status != 200:
             self.assertLess(time.monotonic(), end, "the user never came to be known")
 
     def test_a_password_opens_in_the_role_of_the_user(self):
-        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 200)
         session = self.browser.request("GET", "/api/session").json()
         self.assertEqual((session["name"], session["role"]), ("anna", "operator"))
         window = self.browser.open_window()
@@ -458,7 +527,7 @@ class Users(WithUsers):
         self.assertEqual(wrong.content, nobody.content)
         for name, password in (("anna", ""), ("anna", "x" * 300), ("", ""), ("anna:", ""), ("an\0na", self.PASSWORD)):
             self.assertIn(self.browser.enter(name, password).status, (400, 401))
-        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 200)
 
     @contextlib.contextmanager
     def guessing(self, guessers):
@@ -484,12 +553,12 @@ class Users(WithUsers):
 
     def test_forty_addresses_that_guess_keep_nobody_out(self):
         with self.guessing([("anna", f"127.0.1.{k + 1}") for k in range(40)]):
-            self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+            self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 200)
 
     def test_who_guesses_behind_the_same_tunnel_keeps_nobody_out(self):
         names = ("boris", "carl", "dora", "root", "admin")
         with self.guessing([(name, "127.0.0.1") for name in names for _ in range(4)]):
-            self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+            self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 200)
 
     def test_a_user_who_is_removed_or_changed_loses_the_page(self):
         # New ones: the server may still know another anna when her password already opens.
@@ -538,7 +607,7 @@ class Users(WithUsers):
             file.write("nonsense\n")
         self.assertIn("line 3", self.user("list", code=1))
         time.sleep(2)  # the server looks once a second: it keeps the users of before
-        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 204)
+        self.assertEqual(self.browser.enter("anna", self.PASSWORD).status, 200)
 
 
 def certificate(folder):
@@ -579,7 +648,7 @@ class Tls(WithUsers):
         with running_web(STANOK_WEB, self.folder, socket_path, *self.start_options(), "--listen", "0.0.0.0:0",
                          "--link-socket", os.path.join(self.folder, "other.panel"), error=subprocess.DEVNULL) as web:
             browser = Browser(web)
-            self.assertEqual(browser.enter("anna", self.PASSWORD).status, 204)
+            self.assertEqual(browser.enter("anna", self.PASSWORD).status, 200)
             browser.open_window().close()
             self.assertEqual(browser.request("GET", "/", Host="evil.example").status, 403)
 
@@ -591,7 +660,7 @@ class Tls(WithUsers):
             guesser = threading.Thread(target=Browser(web, "127.0.0.2").enter, args=("anna", "wrong password"))
             guesser.start()
             time.sleep(0.5)  # it waits for its answer
-            self.assertEqual(Browser(web, "127.0.0.1").enter("anna", self.PASSWORD).status, 204)
+            self.assertEqual(Browser(web, "127.0.0.1").enter("anna", self.PASSWORD).status, 200)
             guesser.join()
 
     def test_but_not_without_a_user(self):

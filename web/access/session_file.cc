@@ -48,6 +48,7 @@ system_clock::time_point time_from(const json& seconds) {
 
 json json_of(const KeptSession& kept) {
   return {{"secret", hex_of(kept.secret)},
+          {"key", hex_of(kept.key)},
           {"name", kept.identity.name},
           {"role", protocol::role_name(kept.identity.role)},
           {"password_hash", kept.identity.password_hash},
@@ -59,6 +60,7 @@ KeptSession session_from(const json& kept) {
   const auto role = protocol::role_named(kept.at("role").get<std::string>());
   if (!role) throw std::runtime_error("there is no such role");
   return {.secret = hash_from(kept.at("secret").get<std::string>()),
+          .key = hash_from(kept.at("key").get<std::string>()),
           .identity = {.name = kept.at("name").get<std::string>(),
                        .role = *role,
                        .password_hash = kept.at("password_hash").get<std::string>()},

@@ -1,6 +1,6 @@
 // The file that sessions outlive the server in: JSON, with hashes of their secrets only.
 //
-//   {"sessions": [{"secret": "3f..", "name": "anna", "role": "operator",
+//   {"sessions": [{"secret": "3f..", "key": "a0..", "name": "anna", "role": "operator",
 //                  "password_hash": "$argon2id..", "begun_s": 1790000000, "used_s": 1790003600}]}
 //
 // Times are seconds since 1970. Private (web/access/private_file.h).

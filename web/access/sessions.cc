@@ -5,7 +5,7 @@
 namespace stanok::web {
 
 Sessions::Begun Sessions::begin(Identity identity, Time now) {
-  Begun begun{.secret = new_secret(), .ended = {}};
+  Begun begun{.secret = new_secret(), .key = new_secret(), .ended = {}};
   if (entries_.size() >= sessions_max) {
     const auto away = std::min_element(
         entries_.begin(), entries_.end(),
@@ -13,7 +13,8 @@ Sessions::Begun Sessions::begin(Identity identity, Time now) {
     begun.ended = away->second.session.id;
     entries_.erase(away);
   }
-  entries_[hash_of(begun.secret)] = {{++last_id_, std::move(identity)}, now, now};
+  entries_[hash_of(begun.secret)] = {
+      {++last_id_, std::move(identity), hash_of(begun.key)}, now, now};
   return begun;
 }
 
@@ -48,7 +49,8 @@ std::vector<KeptSession> Sessions::kept(Time now, KeptSession::Time wall_now) co
   std::vector<KeptSession> kept;
   kept.reserve(entries_.size());
   for (const auto& [hash, entry] : entries_)
-    kept.push_back({hash, entry.session.identity, on_wall(entry.begun), on_wall(entry.used)});
+    kept.push_back({hash, entry.session.key, entry.session.identity, on_wall(entry.begun),
+                    on_wall(entry.used)});
   return kept;
 }
 
@@ -57,7 +59,7 @@ void Sessions::restore(const std::vector<KeptSession>& kept, Time now, KeptSessi
     return now - (wall_now - std::min(time, wall_now));
   };
   for (const KeptSession& one : kept) {
-    Entry entry{{++last_id_, one.identity}, steady(one.begun), steady(one.used)};
+    Entry entry{{++last_id_, one.identity, one.key}, steady(one.begun), steady(one.used)};
     const bool has_room = entries_.size() < sessions_max;
     if (has_room && !is_over(entry, now)) entries_[one.secret] = std::move(entry);
   }

@@ -1,8 +1,11 @@
 // Sessions: who is let in, on the server's side, so that each can be ended at once.
 //
-// The browser holds a secret in a cookie, the server its hash. A session ends when nobody used it
-// for `idle_max`, after `age_max`, by its own wish, or when its user is taken away; a page that is
-// open uses it. Those that outlive the server are measured on the wall clock meanwhile. One thread.
+// The browser holds two secrets, the server their hashes: one in a cookie, which the browser sends
+// by itself, but to every port of the host; and a key in the storage of this origin, which nothing
+// but the page of this very server reads. Who shows the cookie with another key has stolen it. A
+// session ends when nobody used it for `idle_max`, after `age_max`, by its own wish, or when its
+// user is taken away; a page that is open uses it. Those that outlive the server are measured on
+// the wall clock meanwhile. One thread.
 #pragma once
 
 #include <chrono>
@@ -29,12 +32,16 @@ struct Identity {
 struct WebSession {
   std::uint64_t id = 0;  // never given twice
   Identity identity;
+  SecretHash key{};  // of the key
+
+  [[nodiscard]] bool is_key(std::string_view given) const { return hash_of(given) == key; }
 };
 
 // A session as it outlives the server.
 struct KeptSession {
   using Time = std::chrono::system_clock::time_point;
   SecretHash secret{};
+  SecretHash key{};
   Identity identity;
   Time begun{};
   Time used{};
@@ -49,6 +56,7 @@ class Sessions {
 
   struct Begun {
     std::string secret;                  // for the cookie
+    std::string key;                     // for the storage of the page
     std::optional<std::uint64_t> ended;  // the session that had to make room
   };
   [[nodiscard]] Begun begin(Identity identity, Time now);

@@ -6,6 +6,7 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/use_awaitable.hpp>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -94,40 +95,67 @@ std::string Authentication::issue_link() {
 }
 
 std::optional<WebSession> Authentication::session_of(const Request& request) {
+  constexpr auto field_of_key = "X-Stanok-Key";
+  auto session = session_of_cookie(request);
+  const auto key = request[field_of_key];
+  // Without one it is an address that somebody typed.
+  if (!session || key.empty() || !is_key_of(*session, {key.data(), key.size()}))
+    return std::nullopt;
+  return session;
+}
+
+bool Authentication::is_key_of(const WebSession& session, std::string_view key) {
+  if (session.is_key(key)) return true;
+  spdlog::warn("the cookie of {} was shown without its key; the session ends",
+               session.identity.name);
+  end(session);
+  asio::co_spawn(writing_, keeping(), asio::detached);
+  return false;
+}
+
+void Authentication::end(const WebSession& session) {
+  end_where([&](const WebSession& other) { return other.id == session.id; });
+}
+
+std::optional<WebSession> Authentication::session_of_cookie(const Request& request) {
   const std::string secret = cookie_of(request, cookie_name_);
   return secret.empty() ? std::nullopt : sessions_.find(secret, now());
 }
 
-asio::awaitable<Answer> Authentication::enter_by_link(std::string secret) {
-  if (links_.use_up(secret, now())) co_return co_await let_in(identity_of_link());
+asio::awaitable<Answer> Authentication::enter_by_link(const Request& request, std::string secret) {
+  if (links_.use_up(secret, now())) co_return co_await let_in(request, identity_of_link());
   spdlog::warn("a link was shown that is used up, too old or wrong");
   co_return refusal(Status::unauthorized,
                     "this link is used up or too old; `stanok panel` prints another one");
 }
 
-asio::awaitable<Answer> Authentication::enter_by_password(std::string name, std::string password,
+asio::awaitable<Answer> Authentication::enter_by_password(const Request& request, std::string name,
+                                                          std::string password,
                                                           asio::ip::address from) {
   auto outcome = co_await logins_.log_in(std::move(name), std::move(password), std::move(from));
-  if (outcome.identity) co_return co_await let_in(std::move(*outcome.identity));
+  if (outcome.identity) co_return co_await let_in(request, std::move(*outcome.identity));
   if (outcome.refusal == LoginDesk::Refusal::busy)
     co_return refusal(Status::too_many_requests, "another login is under way; try again");
   co_return refusal(Status::unauthorized, "name or password is wrong");
 }
 
-asio::awaitable<Answer> Authentication::let_in(Identity identity) {
+asio::awaitable<Answer> Authentication::let_in(const Request& request, Identity identity) {
+  // One browser, one session: pages of an earlier one would go on in its role.
+  if (const auto before = session_of_cookie(request)) end(*before);
   spdlog::info("session of {} begins as {}", identity.name, protocol::role_name(identity.role));
   const auto begun = sessions_.begin(std::move(identity), now());
   if (begun.ended) on_end_({*begun.ended});
   co_await keep();
-  co_return Answer{.status = Status::no_content,
-                   .fields = {{Field::set_cookie, cookie(begun.secret, Sessions::age_max)}}};
+  Answer answer = json_answer(Status::ok, {{"key", begun.key}});
+  answer.fields.emplace_back(Field::set_cookie, cookie(begun.secret, Sessions::age_max));
+  co_return answer;
 }
 
 asio::awaitable<Answer> Authentication::leave(const Request& request) {
   const auto session = session_of(request);
   if (!session) co_return refusal(Status::unauthorized, "there is no session");
   spdlog::info("session of {} ends", session->identity.name);
-  end_where([&](const WebSession& other) { return other.id == session->id; });
+  end(*session);
   co_await keep();
   co_return Answer{.status = Status::no_content,
                    .fields = {{Field::set_cookie, cookie("", std::chrono::seconds(0))}}};

@@ -1,4 +1,6 @@
-// Authentication: lets users in by a one-time link or a password, and knows them by their cookie.
+// Authentication: lets users in by a one-time link or a password, and knows them by a cookie and a
+// key (web/access/sessions.h), which a request shows in the field X-Stanok-Key and a WebSocket in
+// its first message.
 //
 // Sessions outlive the server in a file, which a thread of its own writes before an answer tells of
 // them. One thread.
@@ -36,10 +38,17 @@ class Authentication {
   void set_port(unsigned short port);
 
   [[nodiscard]] std::string issue_link();
+  // By cookie and key. A wrong key ends the session.
   [[nodiscard]] std::optional<WebSession> session_of(const Request& request);
-  // Answers the request for a session by a link.
-  [[nodiscard]] boost::asio::awaitable<Answer> enter_by_link(std::string secret);
-  [[nodiscard]] boost::asio::awaitable<Answer> enter_by_password(std::string name,
+  // Whose cookie it is; nothing is to be told or done before `is_key_of`.
+  [[nodiscard]] std::optional<WebSession> session_of_cookie(const Request& request);
+  // False: the session has ended, as its cookie has come to somebody else.
+  [[nodiscard]] bool is_key_of(const WebSession& session, std::string_view key);
+  // Answers the request for a session by a link. The session that the browser had ends.
+  [[nodiscard]] boost::asio::awaitable<Answer> enter_by_link(const Request& request,
+                                                             std::string secret);
+  [[nodiscard]] boost::asio::awaitable<Answer> enter_by_password(const Request& request,
+                                                                 std::string name,
                                                                  std::string password,
                                                                  boost::asio::ip::address from);
   [[nodiscard]] boost::asio::awaitable<Answer> leave(const Request& request);
@@ -48,7 +57,8 @@ class Authentication {
   void tick(const std::vector<std::uint64_t>& open);
 
  private:
-  [[nodiscard]] boost::asio::awaitable<Answer> let_in(Identity identity);
+  [[nodiscard]] boost::asio::awaitable<Answer> let_in(const Request& request, Identity identity);
+  void end(const WebSession& session);
   [[nodiscard]] std::string cookie(const std::string& value, std::chrono::seconds age) const;
   // Whether any ended.
   bool end_where(const Sessions::Condition& condition);

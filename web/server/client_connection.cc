@@ -131,7 +131,7 @@ Expected<ClientConnection::Visit, Answer> ClientConnection::visit_of(const Reque
   // Browsers always tell; nobody else may come with what a browser keeps.
   if (request.count(Field::origin) != 1)
     return refused(Status::forbidden, "a WebSocket needs the field Origin");
-  const auto session = services_.authentication.session_of(request);
+  const auto session = services_.authentication.session_of_cookie(request);
   if (!session) return refused(Status::unauthorized, "there is no session");
   if (!services_.has_room_for_relay_of(session->identity.role))
     return refused(Status::service_unavailable, "too many pages are open");
@@ -148,7 +148,10 @@ asio::awaitable<void> ClientConnection::open_relay(Request request) {
     co_return;
   }
   relay_ = std::make_shared<WebSocketRelay>(stream_, std::move(visit->session));
-  co_await relay_->serve(std::move(request), visit->socket);
+  const auto is_key = [this](std::string_view key) {
+    return services_.authentication.is_key_of(relay_->session(), key);
+  };
+  co_await relay_->serve(std::move(request), visit->socket, is_key);
 }
 
 void ClientConnection::close() {

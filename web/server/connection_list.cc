@@ -71,8 +71,9 @@ void ConnectionList::end_relays_of(const std::vector<std::uint64_t>& sessions) {
 void ConnectionList::end_stuck(Time now) {
   for (const auto& connection : relays()) {
     if (!connection->relay()->is_stuck(now)) continue;
-    spdlog::warn("a page of {} does not read what it is sent; its connection ends",
-                 connection->relay()->session().identity.name);
+    spdlog::warn(
+        "a page of {} does not take what it is sent, or does not begin; its connection ends",
+        connection->relay()->session().identity.name);
     connection->close();
   }
 }

@@ -142,12 +142,12 @@ asio::awaitable<Answer> Reception::begin_session(const Request& request, asio::i
   if (!has_json(request)) co_return not_json();
   const Members wanted(request);
   const std::string token = wanted["token"];
-  if (!token.empty()) co_return co_await authentication_.enter_by_link(token);
+  if (!token.empty()) co_return co_await authentication_.enter_by_link(request, token);
   const std::string name = wanted["name"];
   if (name.empty())
     co_return refusal(Status::bad_request,
                       R"(the content must be {"token": ""} or {"name": "", "password": ""})");
-  co_return co_await authentication_.enter_by_password(name, wanted["password"], from);
+  co_return co_await authentication_.enter_by_password(request, name, wanted["password"], from);
 }
 
 asio::awaitable<Answer> Reception::describe_session(const Request& request) {

@@ -62,9 +62,12 @@ void WebSocketRelay::set_bounds() {
   websocket_.auto_fragment(false);
 }
 
-asio::awaitable<void> WebSocketRelay::serve(Request request, std::filesystem::path socket) {
+asio::awaitable<void> WebSocketRelay::serve(Request request, std::filesystem::path socket,
+                                            IsKey is_key) {
   const bool is_accepted = co_await accept(std::move(request));
   if (!is_accepted) co_return close();
+  const bool is_known = co_await has_shown_key(std::move(is_key));
+  if (!is_known) co_return close();
   const bool has_entered = co_await enter(std::move(socket));
   if (!has_entered) co_return close();
   is_reading_ = true;
@@ -81,9 +84,31 @@ asio::awaitable<bool> WebSocketRelay::accept(Request request) {
   co_return !error;
 }
 
+// Who sends nothing has not used the cookie; any other message is one without the key.
+asio::awaitable<bool> WebSocketRelay::has_shown_key(IsKey is_key) {
+  step_begun_ = std::chrono::steady_clock::now();
+  const auto message = co_await next_message();
+  step_begun_.reset();
+  if (!message) co_return false;
+  const json shown = protocol::json_from_text(*message);
+  const json parameters = is_method(shown, "session.key") ? shown.value("params", json()) : json();
+  const json key = parameters.is_object() ? parameters.value("key", json()) : json();
+  co_return is_key(key.is_string() ? key.get<std::string>() : std::string());
+}
+
+// Nothing: the browser has gone, or sent what is no text.
+asio::awaitable<std::optional<std::string>> WebSocketRelay::next_message() {
+  const auto [error, bytes] =
+      co_await websocket_.async_read(received_, asio::as_tuple(asio::use_awaitable));
+  if (error || !websocket_.got_text()) co_return std::nullopt;
+  std::string message = boost::beast::buffers_to_string(received_.data());
+  received_.consume(received_.size());
+  co_return message;
+}
+
 // Connects to the daemon, lowers the role, and shows its greeting.
 asio::awaitable<bool> WebSocketRelay::enter(std::filesystem::path socket) {
-  write_begun_ = std::chrono::steady_clock::now();  // until the greeting is written
+  step_begun_ = std::chrono::steady_clock::now();  // until the greeting is written
   const bool is_connected = co_await machine_.connect(socket);
   std::optional<std::string> greeting;
   if (is_connected) greeting = co_await machine_.next_line();
@@ -125,10 +150,10 @@ asio::awaitable<bool> WebSocketRelay::lower_role() {
 
 asio::awaitable<bool> WebSocketRelay::show(std::string message, FrameKind kind) {
   websocket_.text(kind == FrameKind::text);
-  write_begun_ = std::chrono::steady_clock::now();
+  step_begun_ = std::chrono::steady_clock::now();
   const auto [error, bytes] =
       co_await websocket_.async_write(asio::buffer(message), asio::as_tuple(asio::use_awaitable));
-  write_begun_.reset();
+  step_begun_.reset();
   co_return !error;
 }
 
@@ -174,13 +199,8 @@ asio::awaitable<void> WebSocketRelay::outlast_browser() {
 }
 
 asio::awaitable<void> WebSocketRelay::pass_to_machine(std::shared_ptr<WebSocketRelay> self) {
-  while (true) {
-    const auto [error, bytes] =
-        co_await self->websocket_.async_read(self->received_, asio::as_tuple(asio::use_awaitable));
-    if (error || !self->websocket_.got_text()) break;
-    std::string message = boost::beast::buffers_to_string(self->received_.data());
-    self->received_.consume(self->received_.size());
-    if (!co_await self->machine_.send(as_one_line(std::move(message)))) break;
+  while (auto message = co_await self->next_message()) {
+    if (!co_await self->machine_.send(as_one_line(std::move(*message)))) break;
   }
   // The daemon lets go of what this connection held, a jog first of all.
   self->machine_.close();

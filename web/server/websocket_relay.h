@@ -3,9 +3,11 @@
 //
 // Each has a connection of its own to the daemon, so that session, role, control, the lease of a
 // jog and back-pressure stay the daemon's: when the browser goes, the connection goes, and with it
-// what it held. The role is lowered to that of its user before the first message of the browser is
-// passed on. Nothing is queued here: the next message is read when the last one is written, and who
-// takes too long for that loses its connection. One thread.
+// what it held. Its first message is the key of the session, {"jsonrpc":
+// "2.0", "method": "session.key", "params": {"key": ""}}, and stays here. The role is lowered to
+// that of its user before another message of the browser is passed on. Nothing is queued here: the
+// next message is read when the last one is written, and who takes too long for that loses its
+// connection. One thread.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -14,9 +16,11 @@
 #include <boost/beast/websocket/stream.hpp>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "web/access/sessions.h"
 #include "web/machine/machine_connection.h"
@@ -28,19 +32,23 @@ namespace stanok::web {
 class WebSocketRelay : public std::enable_shared_from_this<WebSocketRelay> {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  static constexpr auto write_time_max = std::chrono::seconds(10);
+  static constexpr auto step_time_max = std::chrono::seconds(10);
   // For a browser to end its side when the daemon has gone.
   static constexpr auto outlast_time_max = std::chrono::seconds(2);
 
   WebSocketRelay(std::shared_ptr<ClientStream> stream, WebSession session);
 
+  // Whether it is the key of the session, which ends otherwise.
+  using IsKey = std::function<bool(std::string_view key)>;
+
   // Takes the request for a WebSocket and serves it until one side ends.
-  [[nodiscard]] boost::asio::awaitable<void> serve(Request request, std::filesystem::path socket);
+  [[nodiscard]] boost::asio::awaitable<void> serve(Request request, std::filesystem::path socket,
+                                                   IsKey is_key);
 
   [[nodiscard]] const WebSession& session() const { return session_; }
-  // The browser does not take what is sent to it, or the daemon does not greet.
+  // The browser does not take what is sent to it or shows no key, or the daemon does not greet.
   [[nodiscard]] bool is_stuck(Time now) const {
-    return write_begun_ && now - *write_begun_ > write_time_max;
+    return step_begun_ && now - *step_begun_ > step_time_max;
   }
   // At once; what is under way fails.
   void close();
@@ -50,6 +58,8 @@ class WebSocketRelay : public std::enable_shared_from_this<WebSocketRelay> {
 
   void set_bounds();
   [[nodiscard]] boost::asio::awaitable<bool> accept(Request request);
+  [[nodiscard]] boost::asio::awaitable<bool> has_shown_key(IsKey is_key);
+  [[nodiscard]] boost::asio::awaitable<std::optional<std::string>> next_message();
   [[nodiscard]] boost::asio::awaitable<bool> enter(std::filesystem::path socket);
   [[nodiscard]] boost::asio::awaitable<bool> lower_role();
   enum class FrameKind { text, binary };
@@ -69,7 +79,7 @@ class WebSocketRelay : public std::enable_shared_from_this<WebSocketRelay> {
   boost::asio::steady_timer read_end_;  // cancelled when it ends
   WebSession session_;
   boost::beast::flat_buffer received_;
-  std::optional<Time> write_begun_;
+  std::optional<Time> step_begun_;  // of what must not take long
 };
 
 }  // namespace stanok::web

@@ -1,4 +1,5 @@
 // Questions to the history of the gateway, which the server of the page reads.
+import { sessionFields } from './session';
 
 export const questions = ['runs', 'alarms', 'oee', 'tools', 'drift'] as const;
 export const times = ['8h', '1d', '7d', '30d', '365d'] as const;
@@ -55,7 +56,7 @@ const patience_ms = 20_000;
 export async function readHistory(question: Question): Promise<History> {
   const answer = await fetch('/api/history', {
     method: 'POST',
-    headers: { 'content-type': 'application/json' },
+    headers: { 'content-type': 'application/json', ...sessionFields() },
     body: JSON.stringify(question),
     signal: AbortSignal.timeout(patience_ms),
   });

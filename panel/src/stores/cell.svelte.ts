@@ -1,4 +1,5 @@
 // The machines that the server of this page shows, and whether it has their history.
+import { sessionFields } from '../rpc/session';
 import type { Channel } from './machine.svelte';
 
 export type GlanceChannel = Pick<
@@ -52,7 +53,8 @@ class CellStore {
 
   async read(): Promise<void> {
     try {
-      const answer = await fetch('/api/machines', { signal: AbortSignal.timeout(patience_ms) });
+      const signal = AbortSignal.timeout(patience_ms);
+      const answer = await fetch('/api/machines', { headers: sessionFields(), signal });
       if (!answer.ok) throw new Error(String(answer.status));
       const overview = (await answer.json()) as Overview;
       this.machines = overview.machines;

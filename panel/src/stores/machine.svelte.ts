@@ -6,7 +6,7 @@ import { method_roles } from '../generated/client';
 import { Refusal, noData, ownNumbers, type Arguments, type Result } from '../rpc/json_rpc';
 import { Link, type LinkState, type Socket } from '../rpc/link';
 import { mergePatch, type Json } from '../rpc/merge_patch';
-import { currentSession, type Session } from '../rpc/session';
+import { currentSession, keyMessage, type Session } from '../rpc/session';
 import { machineOf } from './cell.svelte';
 import { seldom } from './seldom';
 
@@ -195,6 +195,7 @@ function openSocket(): Socket {
   const path = machine === '' ? '/ws' : `/ws/${encodeURIComponent(machine)}`;
   const socket = new WebSocket(`${scheme}://${location.host}${path}`);
   socket.binaryType = 'arraybuffer';
+  socket.addEventListener('open', () => socket.send(keyMessage()));
   return socket as unknown as Socket;
 }
 
