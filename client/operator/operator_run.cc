@@ -86,7 +86,8 @@ void show_result(const OperatorCall& call, const json& result) {
 int watch(OperatorClient& client, const OperatorCall& call, OperatorClient::Deadline deadline) {
   WatchView view(call.form, Terminal(STDOUT_FILENO), call.view);
   client.on_notification([&](const std::string& method, const json& parameters) {
-    write_data_now(view.shown(method, parameters));
+    const std::string text = view.shown(method, parameters);
+    return call.form == OutputForm::json ? write_data_now(text) : write_data_with_orders(text);
   });
   const auto accepted = client.call(std::string(call.method->name), call.parameters, deadline);
   if (!accepted) {

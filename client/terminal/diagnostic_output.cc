@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "client/terminal/output.h"
+#include "client/terminal/screen_text.h"
 #include "protocol/diagnostic_json.h"
 
 namespace stanok::client {
@@ -12,7 +13,7 @@ nlohmann::ordered_json to_json(const Diagnostic& diagnostic) {
 }
 
 std::string coloured_text(const Diagnostic& diagnostic, const Terminal& terminal) {
-  const std::string text = to_text(diagnostic);
+  const std::string text = visible(to_text(diagnostic));
   const std::size_t head = text.find(']') == std::string::npos ? 0 : text.find(']') + 1;
   const Colour colour = diagnostic.severity == Severity::error     ? Colour::red
                         : diagnostic.severity == Severity::warning ? Colour::yellow

@@ -7,7 +7,7 @@
 namespace stanok::client {
 
 std::string progress_text(const std::string& text, std::size_t columns) {
-  return "\r\033[K" + cut_to_columns(text, columns > 1 ? columns - 1 : 1);
+  return "\r\033[K" + cut_to_columns(one_line(text), columns > 1 ? columns - 1 : 1);
 }
 
 std::string progress_bar(std::size_t done, std::size_t all, const std::string& file,

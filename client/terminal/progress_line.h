@@ -25,11 +25,11 @@ class ProgressLine {
   [[nodiscard]] bool is_wanted() const { return terminal_.is_terminal(); }
   void show(const std::string& text) {
     if (!is_wanted()) return;
-    write_message(progress_text(text, terminal_.size().columns));
+    write_message_with_orders(progress_text(text, terminal_.size().columns));
     is_shown_ = true;
   }
   void clear() {
-    if (is_shown_) write_message("\r\033[K");
+    if (is_shown_) write_message_with_orders("\r\033[K");
     is_shown_ = false;
   }
 

@@ -1,5 +1,6 @@
 #include "client/terminal/screen_text.h"
 
+#include <fmt/format.h>
 #include <utf8proc.h>
 
 #include <iterator>
@@ -35,6 +36,23 @@ Glyph glyph_at(std::string_view text, std::size_t at) {
   const std::size_t length = character_length(text, at);
   const std::string_view character = text.substr(at, length == 0 ? 1 : length);
   return {character, columns_of(character)};
+}
+
+constexpr char delete_character = 0x7F;
+
+bool is_control(std::string_view character) {
+  const char first = character.front();
+  const bool is_c1 = character.size() == 2 && first == '\xC2' &&
+                     static_cast<unsigned char>(character[1]) < 0xA0;  // U+0080 to U+009F
+  const bool is_c0 = character.size() == 1 && first >= 0 && first < ' ';
+  return is_c1 || is_c0 || character == std::string_view(&delete_character, 1);
+}
+
+// Unicode, Control Pictures: U+2400 and the character, U+2421 for DEL; those of C1 have none.
+std::string picture_of(std::string_view control) {
+  if (control.size() == 2) return fmt::format("\\x{:02x}", static_cast<unsigned char>(control[1]));
+  if (control.front() == delete_character) return "\xE2\x90\xA1";
+  return {'\xE2', '\x90', static_cast<char>('\x80' + control.front())};
 }
 
 // Fills lines of a width, and begins the next one at the latest blank.
@@ -100,25 +118,35 @@ std::size_t screen_columns(std::string_view text) {
 }
 
 std::string one_line(std::string_view text) {
-  constexpr char delete_character = 0x7F;
   std::string line;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = character_length(text, at);
     const std::string_view character = text.substr(at, length == 0 ? 1 : length);
-    const char first = character.front();
-    const bool is_c1 = length == 2 && first == '\xC2' &&
-                       static_cast<unsigned char>(character[1]) < 0xA0;  // U+0080 to U+009F
-    const bool is_control =
-        length == 0 || is_c1 ||
-        (length == 1 && ((first >= 0 && first < ' ') || first == delete_character));
-    if (first == '\n' || first == '\t') {
+    if (character == "\n" || character == "\t") {
       line += ' ';
     } else {
-      line += is_control ? replacement_character : character;
+      line += length == 0 || is_control(character) ? replacement_character : character;
     }
     at += character.size();
   }
   return line;
+}
+
+std::string visible(std::string_view text) {
+  std::string shown;
+  shown.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = character_length(text, at);
+    const std::string_view character = text.substr(at, length == 0 ? 1 : length);
+    const bool ends_line = text.substr(at).starts_with("\r\n");
+    if (is_control(character) && character != "\n" && character != "\t" && !ends_line) {
+      shown += picture_of(character);
+    } else {
+      shown += character;
+    }
+    at += character.size();
+  }
+  return shown;
 }
 
 std::vector<std::string> broken_lines(std::string_view text, std::size_t columns) {

@@ -18,6 +18,11 @@ namespace stanok::client {
 // what a program or file says cannot move the cursor.
 [[nodiscard]] std::string one_line(std::string_view text);
 
+// The text with its control characters as pictures of them (␛ for ESC, U+0080 to U+009F as \x9b),
+// so that a text of a file, or from the wire, gives a terminal no orders. Line ends, also those
+// with CR, and tabs stay.
+[[nodiscard]] std::string visible(std::string_view text);
+
 // The lines of a text, each broken where it takes more columns: at a blank where there is one, and
 // further lines are indented. At least 1 column; one character stands on a line in any case.
 [[nodiscard]] std::vector<std::string> broken_lines(std::string_view text, std::size_t columns);

@@ -3,6 +3,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace stanok::client {
@@ -24,6 +26,9 @@ std::string_view escape_of(Colour colour) {
   }
   return "";
 }
+
+constexpr std::string_view end_of_colour = "\033[0m";
+constexpr auto colours = std::to_array({Colour::red, Colour::green, Colour::yellow, Colour::bold});
 
 std::string_view variable(const char* name) {
   const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
@@ -50,7 +55,22 @@ TerminalSize Terminal::size() const {
 
 std::string Terminal::coloured(std::string_view text, Colour colour) const {
   if (screen_ != Screen::coloured || colour == Colour::plain) return std::string(text);
-  return std::string(escape_of(colour)) + std::string(text) + "\033[0m";
+  return std::string(escape_of(colour)) + std::string(text) + std::string(end_of_colour);
+}
+
+std::size_t Terminal::next_colour(std::string_view text) const {
+  std::size_t at = text.find('\033');
+  while (at != std::string_view::npos && colour_length(text.substr(at)) == 0)
+    at = text.find('\033', at + 1);
+  return std::min(at, text.size());
+}
+
+std::size_t Terminal::colour_length(std::string_view text) const {
+  if (screen_ != Screen::coloured) return 0;
+  if (text.starts_with(end_of_colour)) return end_of_colour.size();
+  const auto* const found = std::ranges::find_if(
+      colours, [&](Colour colour) { return text.starts_with(escape_of(colour)); });
+  return found == colours.end() ? 0 : escape_of(*found).size();
 }
 
 Colour state_colour(std::string_view state) {

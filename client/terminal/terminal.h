@@ -32,6 +32,10 @@ class Terminal {
   [[nodiscard]] TerminalSize size() const;
   // The text, wrapped in the colour's escape sequence where that is shown.
   [[nodiscard]] std::string coloured(std::string_view text, Colour colour) const;
+  // Where the next of its colours begins in a text, or its end; and how long the one that the text
+  // begins with is, or 0.
+  [[nodiscard]] std::size_t next_colour(std::string_view text) const;
+  [[nodiscard]] std::size_t colour_length(std::string_view text) const;
 
  private:
   int descriptor_ = -1;  // -1: none, the size is fixed

@@ -166,9 +166,9 @@ nlohmann::json replay_json(const runtime::ReplayResult& result) {
 int verify(const LogOptions& options) {
   const bool shows_progress = isatty(STDERR_FILENO) != 0;
   const auto result = runtime::replay(options.file, [&](double part) {
-    if (shows_progress) write_message(fmt::format("\r\033[K{:3.0f} %", 100.0 * part));
+    if (shows_progress) write_message_with_orders(fmt::format("\r\033[K{:3.0f} %", 100.0 * part));
   });
-  if (shows_progress) write_message("\r\033[K");
+  if (shows_progress) write_message_with_orders("\r\033[K");
   for (const std::string& remark : result.remarks) write_message("warning: " + remark + "\n");
   if (options.json) {
     write_json(replay_json(result));
