@@ -80,6 +80,35 @@ class Files(WithServer):
         self.assertEqual(small.fields["content-type"], "text/javascript; charset=utf-8")
         self.assertEqual(gzip.decompress(small.content), b"let x;")
 
+    def test_what_is_text_is_compressed_for_those_who_take_it(self):
+        text = "let x = 'всё то же';\n" * 1000
+        for name in ("page/assets/long-1a2b.js", "page/index.html", "docs/README.md"):
+            self.write(name, text)
+            os.utime(os.path.join(self.folder, name), (1, 1))
+        for path in ("/", "/assets/long-1a2b.js", "/manual/"):
+            with self.subTest(path):
+                plain = self.browser.request("GET", path)
+                small = self.browser.request("GET", path, Accept_Encoding="deflate;q=0.5, gzip;q=1.0, *;q=0")
+                self.assertEqual((plain.content, gzip.decompress(small.content)), (text.encode(), text.encode()))
+                self.assertLess(10 * len(small.content), len(plain.content))
+                self.assertEqual((plain.fields["vary"], small.fields["vary"]), ("Accept-Encoding", "Accept-Encoding"))
+                self.assertNotEqual(plain.fields["etag"], small.fields["etag"])
+                for fields in ("gzip;q=0, br", "gzip; q=0.000", "identity", "", "xgzip", "br"):
+                    other = self.browser.request("GET", path, Accept_Encoding=fields)
+                    self.assertNotIn("content-encoding", other.fields, fields)
+
+    def test_what_the_browser_has_is_not_sent_again(self):
+        first = self.browser.request("GET", "/")
+        for tags in (first.fields["etag"], f'"x", W/{first.fields["etag"]}', "*"):
+            again = self.browser.request("GET", "/", If_None_Match=tags)
+            self.assertEqual((again.status, again.content), (304, b""), tags)
+            self.assertEqual(again.fields["etag"], first.fields["etag"])
+            self.assertEqual(again.fields["cache-control"], "no-cache")
+        self.write("page/index.html", "<p>newer page")
+        os.utime(os.path.join(self.folder, "page/index.html"), (1, 1))
+        newer = self.browser.request("GET", "/", If_None_Match=first.fields["etag"])
+        self.assertEqual((newer.status, newer.content), (200, b"<p>newer page"))
+
     def test_documents_are_sent_as_text_and_nothing_beside_them(self):
         answer = self.browser.request("GET", "/manual/operator/panel.md")
         self.assertEqual((answer.status, answer.content), (200, b"# The page"))

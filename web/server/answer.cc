@@ -51,7 +51,7 @@ Response response_of(const Answer& answer, const Request& request, Scheme scheme
   for (const auto& [name, value] : answer.fields) response.insert(name, value);
   response.keep_alive(request.keep_alive());
   const bool has_content = answer.content != nullptr;
-  if (answer.status != Status::no_content)
+  if (answer.status != Status::no_content && answer.status != Status::not_modified)
     response.content_length(has_content ? answer.content->size() : 0);
   if (has_content && request.method() != http::verb::head)
     response.body() = {answer.content->data(), answer.content->size()};

@@ -1,11 +1,16 @@
 #include "web/server/page_files.h"
 
+#include <fmt/format.h>
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 #include <utility>
+
+#include "web/access/secret_text.h"
 
 namespace stanok::web {
 namespace {
@@ -29,6 +34,34 @@ constexpr auto media_types = std::to_array<std::pair<std::string_view, std::stri
     {".txt", "text/plain; charset=utf-8"},
     {".md", "text/plain; charset=utf-8"},
 });
+
+bool is_text(std::string_view media_type) {
+  return media_type.starts_with("text/") || media_type.starts_with("application/json") ||
+         media_type.ends_with("+xml") || media_type.ends_with("+json") ||
+         media_type == "application/wasm";
+}
+
+// RFC 1952. nullptr: it saves less than a packet.
+std::shared_ptr<const std::string> gzip(const std::string& content) {
+  constexpr std::size_t saved_min = 1400;
+  constexpr int window_of_gzip = 15 + 16;  // zlib.h, deflateInit2
+  constexpr int memory_level = 9;
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, window_of_gzip, memory_level,
+                   Z_DEFAULT_STRATEGY) != Z_OK)
+    return nullptr;
+  std::string small(deflateBound(&stream, content.size()), '\0');
+  // zlib changes nothing of its input.
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+  stream.avail_in = static_cast<uInt>(content.size());
+  stream.next_out = reinterpret_cast<Bytef*>(small.data());
+  stream.avail_out = static_cast<uInt>(small.size());
+  const bool is_done = deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  small.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (!is_done || small.size() + saved_min > content.size()) return nullptr;
+  return std::make_shared<const std::string>(std::move(small));
+}
 
 std::string media_type_of(const fs::path& file) {
   const std::string extension = file.extension().string();
@@ -76,6 +109,16 @@ void PageFiles::read() {
        !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     if (entry->symlink_status(error).type() == fs::file_type::regular) add(entry->path());
   }
+  for (auto& [path, file] : files_) {
+    if (file.content != nullptr) finish(file);
+  }
+}
+
+void PageFiles::finish(PageFile& file) {
+  if (file.compressed == nullptr && is_text(file.media_type)) file.compressed = gzip(*file.content);
+  const SecretHash hash = hash_of(*file.content);
+  constexpr std::size_t tag_bytes = 16;
+  for (std::size_t k = 0; k < tag_bytes; ++k) file.tag += fmt::format("{:02x}", hash[k]);
 }
 
 void PageFiles::add(const fs::path& file) {

@@ -1,8 +1,9 @@
 // PageFiles: the files of the page or of its manual, read into memory, so that a request can name
 // nothing else.
 //
-// A file NAME.gz beside NAME is sent to those who take it. Read again when the front file is asked
-// for and has changed, so that a page that was built anew is there on reload. One thread.
+// Texts are compressed when they are read, once for all requests; where a file NAME.gz stands
+// beside NAME it is taken instead. Read again when the front file is asked for and has changed, so
+// that a page that was built anew is there on reload. One thread.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +18,8 @@ struct PageFile {
   std::string media_type;
   bool is_hashed = false;  // its name changes with its content: may be kept for ever
   std::shared_ptr<const std::string> content;
-  std::shared_ptr<const std::string> compressed;  // gzip; may be missing
+  std::shared_ptr<const std::string> compressed;  // gzip; none where that saves nothing
+  std::string tag;                                // of the content, for If-None-Match
 };
 
 class PageFiles {
@@ -34,6 +36,7 @@ class PageFiles {
  private:
   void read();
   void add(const std::filesystem::path& file);
+  void finish(PageFile& file);
 
   std::filesystem::path folder_;
   std::string front_;                          // "/index.html"

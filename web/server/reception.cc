@@ -1,8 +1,10 @@
 #include "web/server/reception.h"
 
 #include <algorithm>
+#include <boost/beast/core/string.hpp>
 #include <boost/beast/http/verb.hpp>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "protocol/discovery.h"
 #include "protocol/json_rpc.h"
@@ -32,8 +34,39 @@ bool reads_only(const Request& request) {
   return request.method() == verb::get || request.method() == verb::head;
 }
 
+// The elements of a list in a field, without blanks around.
+std::vector<std::string_view> elements_of(std::string_view list) {
+  std::vector<std::string_view> elements;
+  while (!list.empty()) {
+    const auto end = std::min(list.find(','), list.size());
+    std::string_view one = list.substr(0, end);
+    one.remove_prefix(std::min(one.find_first_not_of(" \t"), one.size()));
+    one.remove_suffix(one.size() - 1 - std::min(one.find_last_not_of(" \t"), one.size() - 1));
+    if (!one.empty()) elements.push_back(one);
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return elements;
+}
+
+// RFC 9110, 12.5.3: "gzip;q=0" says that it is not wanted.
 bool takes_gzip(const Request& request) {
-  return field_of(request, Field::accept_encoding).find("gzip") != std::string_view::npos;
+  for (const std::string_view element : elements_of(field_of(request, Field::accept_encoding))) {
+    const std::string_view coding = element.substr(0, element.find_first_of("; "));
+    if (!boost::beast::iequals(coding, "gzip")) continue;
+    const auto weight = element.find("q=");
+    return weight == std::string_view::npos ||
+           element.find_first_not_of("0.", weight + 2) != std::string_view::npos;
+  }
+  return false;
+}
+
+// RFC 9110, 13.1.2.
+bool has_tag(const Request& request, const std::string& tag) {
+  const auto elements = elements_of(field_of(request, Field::if_none_match));
+  return std::ranges::any_of(elements, [&](std::string_view element) {
+    if (element.starts_with("W/")) element.remove_prefix(2);
+    return element == "*" || element == tag;
+  });
 }
 
 // A form of a foreign page cannot send this type without being asked whether it may.
@@ -87,7 +120,15 @@ Answer answer_of(const PageFile& file, const Request& request) {
   Answer answer{.media_type = file.media_type, .content = file.content};
   const auto* lifetime = file.is_hashed ? "public, max-age=31536000, immutable" : "no-cache";
   answer.fields = {{Field::cache_control, lifetime}, {Field::vary, "Accept-Encoding"}};
-  if (file.compressed != nullptr && takes_gzip(request)) {
+  const bool is_small = file.compressed != nullptr && takes_gzip(request);
+  const std::string tag = '"' + file.tag + (is_small ? "-gzip\"" : "\"");
+  answer.fields.emplace_back(Field::etag, tag);
+  if (has_tag(request, tag)) {
+    answer.status = Status::not_modified;
+    answer.content = nullptr;
+    return answer;
+  }
+  if (is_small) {
     answer.content = file.compressed;
     answer.fields.emplace_back(Field::content_encoding, "gzip");
   }
