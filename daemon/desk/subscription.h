@@ -28,6 +28,7 @@ class Subscription {
 
   [[nodiscard]] bool wants(const std::string& topic) const;
   [[nodiscard]] bool wants_status() const;
+  [[nodiscard]] const nlohmann::json& topics() const { return topics_; }
   [[nodiscard]] int channel() const { return channel_; }
 
   [[nodiscard]] bool is_due(Time now) const { return wants_status() && now >= next_; }

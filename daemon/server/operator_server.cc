@@ -8,10 +8,15 @@
 #include <boost/asio/steady_timer.hpp>
 #include <map>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "daemon/desk/stop_desk.h"
+#include "daemon/server/frame_turns.h"
 #include "daemon/server/session.h"
+#include "protocol/discovery.h"
+#include "protocol/json_text.h"
+#include "protocol/version.h"
 
 namespace stanok::daemon {
 namespace {
@@ -22,6 +27,14 @@ using nlohmann::json;
 
 constexpr auto tick_period = std::chrono::milliseconds(10);
 constexpr auto socket_look_period = std::chrono::milliseconds(500);
+
+// The description of all methods is long and always the same: as answer_line makes it, of a text
+// that is made once.
+std::string discovery_line(const json& id) {
+  static const std::string text =
+      protocol::json_text(protocol::discovery_document(protocol::version));
+  return R"({"id":)" + protocol::json_text(id) + R"(,"jsonrpc":"2.0","result":)" + text + "}\n";
+}
 
 json event_json(const channels::Event& event) {
   const auto text_or_null = [](std::string_view text) {
@@ -54,6 +67,8 @@ struct OperatorServer::Parts final : Counter {
 
   void answer_frame(const std::shared_ptr<Session>& session, const protocol::Frame& frame,
                     const AskedAt& asked_at);
+  void serve_turns();
+  void serve_turn();
   void serve();
   void tick();
   void look_after_socket(SteadyTime now);
@@ -68,6 +83,8 @@ struct OperatorServer::Parts final : Counter {
   ListeningSocket& socket;
   SteadyTime next_look_at_socket{};
   Dispatch dispatch;
+  FrameTurns turns;
+  bool is_turn_posted = false;
   std::map<int, std::shared_ptr<Session>> sessions;
 };
 
@@ -79,16 +96,50 @@ void OperatorServer::Parts::on_arrival(std::shared_ptr<Session> session) {
 void OperatorServer::Parts::on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
                                      const AskedAt& asked_at) {
   asio::post(io, [this, session = std::move(session), frame = std::move(frame), asked_at] {
-    answer_frame(session, frame, asked_at);
-    session->frame_is_done_soon();
+    const auto precedence =
+        session->role() == protocol::Role::observer ? Precedence::looks_on : Precedence::works;
+    turns.add(session->id(), precedence, [this, session, frame, asked_at] {
+      answer_frame(session, frame, asked_at);
+      session->frame_is_done_soon();
+    });
+    serve_turns();
   });
 }
 
+// Behind what it has asked for before.
 void OperatorServer::Parts::on_departure(int session) {
   asio::post(io, [this, session] {
-    sessions.erase(session);
-    dispatch.forget(session);
+    turns.add(session, Precedence::works, [this, session] {
+      sessions.erase(session);
+      dispatch.forget(session);
+      turns.forget(session);
+    });
+    serve_turns();
   });
+}
+
+// One turn at a time, so that what has come meanwhile is looked at before the next one.
+void OperatorServer::Parts::serve_turns() {
+  if (is_turn_posted || !turns.has_waiting()) return;
+  is_turn_posted = true;
+  asio::post(io, [this] {
+    is_turn_posted = false;
+    try {
+      serve_turn();
+    } catch (...) {
+      serve_turns();
+      throw;
+    }
+    serve_turns();
+  });
+}
+
+void OperatorServer::Parts::serve_turn() {
+  const auto turn = turns.next();
+  if (!turn) return;
+  const auto begun = std::chrono::steady_clock::now();
+  turn->task();
+  turns.charge(turn->session, std::chrono::steady_clock::now() - begun);
 }
 
 void OperatorServer::Parts::on_stop_accepted(const channels::OperatorEvent& stop) {
@@ -101,6 +152,8 @@ void OperatorServer::Parts::answer_frame(const std::shared_ptr<Session>& session
   if (!request) {
     return session->send_soon(protocol::failure_line(request.error().id, request.error().failure));
   }
+  if (request->method == "rpc.discover" && request->parameters.empty() && request->wants_answer)
+    return session->send_soon(discovery_line(request->id));
   dispatch.set_clients(reception.clients());
   session->state().asked_at = asked_at;
   dispatch.handle(session->state(), *request,
@@ -141,10 +194,15 @@ void OperatorServer::Parts::look_after_socket(SteadyTime now) {
 }
 
 void OperatorServer::Parts::push_status(SteadyTime now) {
+  // However many look at the same.
+  std::map<std::pair<json, int>, json> snapshots;
   for (const auto& [id, session] : sessions) {
     Subscription& subscription = session->state().subscription;
     if (!subscription.is_due(now) || !session->has_room_for_status()) continue;
-    if (auto status = subscription.status(dispatch.snapshot(subscription), now)) {
+    const auto [snapshot, is_new] =
+        snapshots.try_emplace({subscription.topics(), subscription.channel()});
+    if (is_new) snapshot->second = dispatch.snapshot(subscription);
+    if (auto status = subscription.status(snapshot->second, now)) {
       session->send_soon(protocol::notification_line("status", *status));
     }
   }

@@ -2,8 +2,9 @@
 // the other.
 //
 // The reception (reception.h) reads and writes the clients, takes stops and does the orderly end.
-// This thread lets Dispatch answer all other requests, in their order, and pushes status and events
-// to those who subscribed; what it is busy with delays no stop.
+// This thread lets Dispatch answer all other requests, those of a session in their order and
+// sessions by turns (frame_turns.h), and pushes status and events to those who subscribed; what it
+// is busy with delays no stop.
 #pragma once
 
 #include <functional>
