@@ -20,6 +20,8 @@ constexpr std::array tables{
     "CREATE TABLE IF NOT EXISTS marks (machine TEXT PRIMARY KEY, mark TEXT NOT NULL)",
     "CREATE TABLE IF NOT EXISTS source (one INTEGER PRIMARY KEY, name TEXT NOT NULL)",
     "INSERT OR IGNORE INTO source VALUES (1, lower(hex(randomblob(8))))",
+    "CREATE TABLE IF NOT EXISTS sparkplug (one INTEGER PRIMARY KEY, session INTEGER NOT NULL)",
+    "INSERT OR IGNORE INTO sparkplug VALUES (1, 0)",
 };
 
 std::int64_t integer_of(const Value& value) {
@@ -91,6 +93,16 @@ void Outbox::set_position(const std::string& consumer, std::int64_t number) {
                 {std::to_string(number), consumer});
   database_.run("DELETE FROM events WHERE number <= (SELECT min(position) FROM consumers)");
   transaction.commit();
+}
+
+std::uint64_t Outbox::sparkplug_session() {
+  const Row row = database_.run("SELECT session FROM sparkplug").at(0);
+  return static_cast<std::uint64_t>(integer_of(row[0]));
+}
+
+// Eclipse Sparkplug 3.0.0, 6.4.4: 0 to 255, and 0 again.
+void Outbox::note_sparkplug_session() {
+  database_.run("UPDATE sparkplug SET session = (session + 1) % 256");
 }
 
 std::vector<StoredEvent> Outbox::behind(std::int64_t number, std::int64_t count) {

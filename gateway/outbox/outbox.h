@@ -52,6 +52,10 @@ class Outbox {
 
   [[nodiscard]] std::int64_t position(const std::string& consumer);
   void set_position(const std::string& consumer, std::int64_t number);
+  // Of the next connection to hosts of Sparkplug, from 0 on, and that it has come about.
+  [[nodiscard]] std::uint64_t sparkplug_session();
+  void note_sparkplug_session();
+
   // At most `count` events with higher numbers, in their order.
   [[nodiscard]] std::vector<StoredEvent> behind(std::int64_t number, std::int64_t count);
 

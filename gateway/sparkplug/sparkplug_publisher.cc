@@ -42,15 +42,14 @@ std::map<std::string, StatesOfMachine> by_machine(const std::string& prefix,
 
 }  // namespace
 
-// The first session is no number that a gateway before has just used.
 SparkplugPublisher::SparkplugPublisher(BrokerOptions options, std::string prefix, std::string group,
-                                       StateBoard& board)
+                                       const std::filesystem::path& outbox, StateBoard& board)
     : options_(std::move(options)),
       prefix_(std::move(prefix)),
       group_(std::move(group)),
       node_("stanok-" + board.source()),
       board_(board),
-      session_(static_cast<std::uint64_t>(wall_clock_s())) {}
+      outbox_(outbox) {}
 
 void SparkplugPublisher::run(const std::stop_token& stop) {
   Backoff backoff;
@@ -69,7 +68,7 @@ void SparkplugPublisher::run(const std::stop_token& stop) {
 }
 
 void SparkplugPublisher::serve(const std::stop_token& stop) {
-  EdgeNode node(group_, node_, session_++);
+  EdgeNode node(group_, node_, outbox_.sparkplug_session());
   const SparkplugMessage will = node.death(now_ms());
   BrokerConnection connection(options_, {will.topic, will.payload, Will::Keeping::none});
   told_ = -1;
@@ -78,6 +77,7 @@ void SparkplugPublisher::serve(const std::stop_token& stop) {
     if (!connection.is_connected()) continue;
     if (!was_connected_) {
       was_connected_ = true;
+      outbox_.note_sparkplug_session();
       spdlog::info("Sparkplug at {}:{}: connected as {}/{}", options_.host, options_.port, group_,
                    node_);
       connection.subscribe(node.command_topic());

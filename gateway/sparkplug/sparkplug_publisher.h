@@ -5,11 +5,13 @@
 // of gateway/broker, which lose none: data of Sparkplug is sent once.
 #pragma once
 
+#include <filesystem>
 #include <stop_token>
 #include <string>
 
 #include "gateway/broker/broker_options.h"
 #include "gateway/cell/state_board.h"
+#include "gateway/outbox/outbox.h"
 #include "gateway/sparkplug/edge_node.h"
 
 namespace stanok::gateway {
@@ -19,8 +21,9 @@ class BrokerConnection;
 class SparkplugPublisher {
  public:
   // `prefix`: of the topics of the board, which name the machines.
+  // `outbox` keeps the number of the next session over a start. Throws DatabaseError.
   SparkplugPublisher(BrokerOptions options, std::string prefix, std::string group,
-                     StateBoard& board);
+                     const std::filesystem::path& outbox, StateBoard& board);
 
   // Until it is asked to stop.
   void run(const std::stop_token& stop);
@@ -35,7 +38,7 @@ class SparkplugPublisher {
   std::string group_;
   std::string node_;
   StateBoard& board_;
-  std::uint64_t session_;
+  Outbox outbox_;
   bool was_connected_ = false;
   std::int64_t told_ = -1;  // number of the newest state that was told
 };

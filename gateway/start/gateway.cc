@@ -63,7 +63,9 @@ void run_gateway(const GatewayOptions& options) {
   std::jthread sparkplug;
   if (!options.sparkplug_group.empty()) {
     sparkplug = std::jthread([&](const std::stop_token& stop) {
-      SparkplugPublisher(options.broker, options.prefix, options.sparkplug_group, board).run(stop);
+      SparkplugPublisher(options.broker, options.prefix, options.sparkplug_group, options.outbox(),
+                         board)
+          .run(stop);
     });
   }
   std::jthread history;

@@ -33,6 +33,17 @@ class TheOutbox : public ::testing::Test {
   Outbox outbox_{file_, 100};
 };
 
+// Eclipse Sparkplug 3.0.0, tck-id-topics-nbirth-bdseq-increment.
+TEST_F(TheOutbox, CountsSessionsOfSparkplugOverAStart) {
+  for (std::uint64_t wanted = 0; wanted < 256; ++wanted) {
+    Outbox next(file_);
+    ASSERT_EQ(next.sparkplug_session(), wanted);
+    ASSERT_EQ(next.sparkplug_session(), wanted) << "no connection came about";
+    next.note_sparkplug_session();
+  }
+  EXPECT_EQ(outbox_.sparkplug_session(), 0U);
+}
+
 TEST_F(TheOutbox, KeepsEventsAndMarkForWhoOpensItNext) {
   append(2);
   Outbox again(file_);
