@@ -67,7 +67,8 @@ TEST(FrameTurns, NobodySavesUpBySilence) {
 TEST(FrameTurns, RequestsOfOneSessionKeepTheirOrder) {
   FrameTurns turns;
   std::vector<int> done;
-  for (int k = 0; k < 20; ++k) turns.add(k % 2, Precedence::works, [&done, k] { done.push_back(k); });
+  for (int k = 0; k < 20; ++k)
+    turns.add(k % 2, Precedence::works, [&done, k] { done.push_back(k); });
   while (turns.has_waiting()) {
     auto turn = turns.next();
     turn->task();
