@@ -53,9 +53,10 @@ void add_options(CLI::App& app, CommandLine& given) {
       ->type_name("HOST");
   app.add_option("--users", given.options.users, "file of the users; default: links only")
       ->type_name("FILE");
-  app.add_option("--sessions", given.options.sessions,
-                 "file in which sessions outlive the server; default: PORT.sessions in the state "
-                 "directory, none for port 0")
+  app.add_option(
+         "--sessions", given.options.sessions,
+         "file in which sessions outlive the server; default: ADDRESS:PORT.sessions in the state "
+         "directory, none for port 0")
       ->type_name("FILE");
   app.add_option("--tls-cert", given.options.tls_certificate, "certificate chain of TLS (PEM)")
       ->type_name("FILE");
@@ -80,7 +81,7 @@ WebOptions complete(CommandLine given) {
   // A page at another port is another page to browsers.
   if (options.sessions.empty() && endpoint->port() != 0)
     options.sessions = stanok::protocol::default_state_directory("stanok-web") /
-                       (std::to_string(endpoint->port()) + ".sessions");
+                       (stanok::web::text_of(*endpoint) + ".sessions");
   return options;
 }
 
