@@ -259,6 +259,50 @@ test('a server that hangs: the axis stops, and does not go on when it comes back
   await page.mouse.up();
 });
 
+/** Every message of the page and to it takes so long. */
+const behind = (time_ms) => async (of) => {
+  await of.routeWebSocket(/\/ws$/, (socket) => {
+    const server = socket.connectToServer();
+    socket.onMessage((text) => setTimeout(() => server.send(text), time_ms));
+    server.onMessage((text) => setTimeout(() => socket.send(text), time_ms));
+  });
+};
+
+test('behind 85 ms each way an axis moves for as long as its button is down', async () => {
+  const other = await stage.openMachine({ before: behind(85) });
+  await other.getByRole('button', { name: 'Arm' }).click();
+  const told = other.getByRole('alert').getByText('The jog has ended');
+  let from = await rests();
+  await hold(other);
+  // Three times as far as a single lease leads. A busy computer may end it for a while, and says so.
+  await until('X goes on', async () => {
+    if (await told.isVisible()) {
+      await other.mouse.up();
+      await other.keyboard.press('Escape');
+      await other.getByRole('button', { name: 'Arm' }).click();
+      from = await rests();
+      await hold(other);
+    }
+    return (await at()) - from > 3 * 10 * 0.2;
+  });
+  await other.mouse.up();
+  const end = await rests();
+  assert.equal(await rests(), end);
+  assert.equal(await other.getByRole('alert').locator('.refusal').count(), 0);
+  await other.context().close();
+});
+
+test('behind a connection that is too slow it ends, and says so', async () => {
+  const other = await stage.openMachine({ before: behind(300) });
+  await other.getByRole('button', { name: 'Arm' }).click();
+  await hold(other);
+  await other.getByRole('alert').getByText('The jog has ended').waitFor();
+  const end = await rests();
+  assert.equal(await rests(), end);
+  await other.mouse.up();
+  await other.context().close();
+});
+
 test('one hand on a touch screen: an axis moves while a finger is down, and on nothing else', async () => {
   const other = await stage.openMachine({
     width: 360,

@@ -1,12 +1,15 @@
 // Continuous jogging: a lease of 200 ms that is renewed only while the key or button is down.
 //
-// The daemon stops the axis by itself when no renewal comes. What is added here keeps an axis from
+// The daemon stops the axis by itself when no renewal comes. Renewals go out by the clock and do not wait
+// for the way there and back, so that an axis goes on behind a slow connection, too. What keeps it from
 // moving late or unasked:
-//   - a renewal is sent only when the one before was answered: nothing piles up in a connection that
-//     hangs and moves the axis when it comes alive again;
+//   - when as many as fit into the lease and one more are unanswered, it ends: no more than these wait in
+//     a connection that hangs, and the hold waits behind them;
 //   - a page that was asleep for longer than the lease does not go on: the key must be pressed anew;
 //   - one refusal ends it.
-// When it ends, the channel is held: the axis stops at once and not when the lease is over.
+// When it ends, the channel is held: the axis stops at once and not when the lease is over. Whoever
+// presses is told why it ended, unless it was let go.
+import { noData, ownNumbers, Refusal } from './json_rpc';
 
 export interface JogMotion {
   channel: number;
@@ -28,12 +31,19 @@ export interface JogPort {
 
 export const renewal_ms = 80;
 export const lease_ms = 200;
+export const unansweredAtMost = Math.floor(lease_ms / renewal_ms) + 1;
+
+/** Of one press: its renewals are numbered as they are sent, and answered in that order. */
+interface Press {
+  sent: number;
+  answered: number;
+  isTold: boolean;
+}
 
 export class JogLease {
   #motion: JogMotion | null = null;
-  #press = 0;
+  #press: Press = { sent: 0, answered: 0, isTold: false };
   #timer: ReturnType<typeof setInterval> | null = null;
-  #unanswered = false;
   #sentAt = 0;
 
   constructor(
@@ -49,8 +59,7 @@ export class JogLease {
     this.release();
     if (!this.port.mayGoOn()) return;
     this.#motion = motion;
-    this.#press += 1;
-    this.#unanswered = false;
+    this.#press = { sent: 0, answered: 0, isTold: false };
     this.changed(motion);
     this.#send();
     this.#timer = setInterval(() => this.#renew(), renewal_ms);
@@ -71,26 +80,33 @@ export class JogLease {
   }
 
   #renew(): void {
-    const late = this.port.now() - this.#sentAt > lease_ms;
-    if (late || !this.port.mayGoOn()) this.release();
-    else if (!this.#unanswered) this.#send();
+    if (!this.port.mayGoOn()) return this.release();
+    const { sent, answered } = this.#press;
+    const isAsleep = this.port.now() - this.#sentAt > lease_ms;
+    if (!isAsleep && sent - answered < unansweredAtMost) return this.#send();
+    this.release();
+    this.#tell(this.#press, new Refusal(ownNumbers.jogLate, '', noData));
   }
 
   #send(): void {
     const motion = this.#motion;
     if (motion === null) return;
     const press = this.#press;
-    this.#unanswered = true;
+    const number = ++press.sent;
     this.#sentAt = this.port.now();
     this.port.jog(motion).then(
-      () => {
-        if (press === this.#press) this.#unanswered = false;
-      },
+      () => (press.answered = Math.max(press.answered, number)),
       (error: unknown) => {
-        if (press !== this.#press || this.#motion === null) return;
-        this.#end();
-        this.port.refused(error);
+        if (press === this.#press) this.#end();
+        this.#tell(press, error);
       },
     );
+  }
+
+  // Also when it has been let go meanwhile: a short press may be over before its refusal comes.
+  #tell(press: Press, error: unknown): void {
+    if (press.isTold) return;
+    press.isTold = true;
+    this.port.refused(error);
   }
 }

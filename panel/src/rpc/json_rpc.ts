@@ -43,7 +43,7 @@ export const noData: RefusalData = {
 };
 
 /** Numbers of refusals that the page itself makes; the daemon uses none of them. */
-export const ownNumbers = { notConnected: 1, connectionLost: 2 } as const;
+export const ownNumbers = { notConnected: 1, connectionLost: 2, jogLate: 3 } as const;
 
 export type Params<M extends MethodName> = Methods[M]['params'];
 export type Result<M extends MethodName> = Methods[M]['result'];

@@ -1,5 +1,6 @@
 // The refusal that is shown, and where: beside what was pressed.
 import { Refusal, ownNumbers } from '../rpc/json_rpc';
+import type { TextKey } from '../text/catalogue';
 import { t } from '../text/text';
 
 /** The command was meant for another situation than the one that the channel is in. */
@@ -35,30 +36,21 @@ class RefusalStore {
   }
 }
 
+// What the page says in its own words, and what to do.
+function ownWords({ number, data }: Refusal): [TextKey, TextKey] | null {
+  if (number === ownNumbers.notConnected) return ['refusal.not_sent', 'refusal.not_sent_remedy'];
+  if (number === ownNumbers.connectionLost)
+    return ['refusal.no_answer', 'refusal.no_answer_remedy'];
+  if (number === ownNumbers.jogLate) return ['refusal.jog_late', 'refusal.jog_late_remedy'];
+  if (data.code === situationChanged) return ['refusal.changed', 'refusal.changed_remedy'];
+  return null;
+}
+
 function words(refusal: Refusal): Omit<Shown, 'at'> {
-  if (refusal.number === ownNumbers.notConnected) {
-    return {
-      code: null,
-      sentence: t('refusal.not_sent'),
-      remedy: t('refusal.not_sent_remedy'),
-      place: null,
-    };
-  }
-  if (refusal.number === ownNumbers.connectionLost) {
-    return {
-      code: null,
-      sentence: t('refusal.no_answer'),
-      remedy: t('refusal.no_answer_remedy'),
-      place: null,
-    };
-  }
-  if (refusal.data.code === situationChanged) {
-    return {
-      code: situationChanged,
-      sentence: t('refusal.changed'),
-      remedy: t('refusal.changed_remedy'),
-      place: null,
-    };
+  const own = ownWords(refusal);
+  if (own !== null) {
+    const [sentence, remedy] = own;
+    return { code: refusal.data.code, sentence: t(sentence), remedy: t(remedy), place: null };
   }
   const { code, remedy, file, line } = refusal.data;
   const place = file !== null && line !== null && line > 0 ? `${file}:${line}` : null;

@@ -38,6 +38,9 @@ export const english = {
   'refusal.no_answer': 'The connection was lost before the answer came.',
   'refusal.no_answer_remedy':
     'It may have been done or not: look at the machine before you ask again.',
+  'refusal.jog_late':
+    'The jog has ended: for 0.2 s no answer came from the machine, or the page stood still.',
+  'refusal.jog_late_remedy': 'Press again. Over a slow connection move in steps.',
   'refusal.not_permitted': 'Not permitted in the role “{role}”.',
   'refusal.not_permitted_remedy': 'Sign in with the rights to operate: the button with your name.',
   'role.observer': 'observer',

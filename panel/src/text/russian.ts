@@ -37,6 +37,8 @@ export const russian: Record<keyof typeof english, string> = {
   'refusal.no_answer': 'Связь пропала раньше, чем пришёл ответ.',
   'refusal.no_answer_remedy':
     'Могло выполниться, а могло и нет: взгляните на станок, прежде чем повторять.',
+  'refusal.jog_late': 'Движение окончено: 0,2 с не было ответа станка, или страница стояла.',
+  'refusal.jog_late_remedy': 'Нажмите снова. По медленной связи двигайте шагами.',
   'refusal.not_permitted': 'Не разрешено роли «{role}».',
   'refusal.not_permitted_remedy': 'Войдите с правами оператора: кнопка с вашим именем.',
   'role.observer': 'наблюдатель',

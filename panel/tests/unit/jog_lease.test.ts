@@ -1,6 +1,7 @@
-// The jog lease: renewed only while pressed, answered and awake; ended by everything else.
+// The jog lease: renewed only while pressed, heard and awake; ended by everything else.
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { JogLease, lease_ms, renewal_ms } from '../../src/rpc/jog_lease';
+import { JogLease, lease_ms, renewal_ms, unansweredAtMost } from '../../src/rpc/jog_lease';
+import { ownNumbers, Refusal } from '../../src/rpc/json_rpc';
 
 const motion = { channel: 1, axis: 'X', velocity: 10 };
 let jogs: number;
@@ -60,17 +61,54 @@ test('letting go holds at once and sends nothing any more', async () => {
   expect(holds).toBe(1);
 });
 
-test('nothing piles up in a connection that hangs, and a late answer does not begin it again', async () => {
-  let late: (value: unknown) => void = () => undefined;
-  answer = () => new Promise((resolve) => (late = resolve));
+const numbers = (): unknown[] => refusals.map((one) => (one instanceof Refusal ? one.number : one));
+
+test('it goes on behind a connection with 85 ms each way, and holds when it is let go', async () => {
+  const arrivals: number[] = [];
+  answer = async () => {
+    await new Promise((resolve) => setTimeout(resolve, 85));
+    arrivals.push(clock);
+    await new Promise((resolve) => setTimeout(resolve, 85));
+  };
+  lease.press(motion);
+  await pass(2000);
+  expect(lease.motion).not.toBeNull();
+  const gaps = arrivals.slice(1).map((at, i) => at - (arrivals[i] ?? 0));
+  expect(arrivals.length).toBeGreaterThan(20);
+  expect(Math.max(...gaps)).toBeLessThan(lease_ms);
+  lease.release();
+  expect(holds).toBe(1);
+  expect(refusals).toEqual([]);
+});
+
+test('few wait in a connection that hangs, it says so, and late answers do not begin it again', async () => {
+  const late: ((value: unknown) => void)[] = [];
+  answer = () => new Promise((resolve) => late.push(resolve));
   lease.press(motion);
   await pass(1000);
-  expect(jogs).toBe(1);
+  expect(jogs).toBe(unansweredAtMost);
+  expect((unansweredAtMost - 1) * renewal_ms).toBeLessThanOrEqual(lease_ms);
   expect(lease.motion).toBeNull();
   expect(holds).toBe(1);
-  late(null);
+  expect(numbers()).toEqual([ownNumbers.jogLate]);
+  for (const one of late) one(null);
   await pass(1000);
-  expect(jogs).toBe(1);
+  expect(jogs).toBe(unansweredAtMost);
+  expect(refusals).toHaveLength(1);
+});
+
+test('a refusal that comes after it was let go is shown, and the next press goes on', async () => {
+  answer = () =>
+    new Promise((_, reject) => setTimeout(() => reject(new Error('no')), 2.5 * renewal_ms));
+  lease.press(motion);
+  await pass(100);
+  lease.release();
+  answer = () => Promise.resolve();
+  lease.press({ ...motion, axis: 'Y' });
+  await pass(500);
+  expect(refusals).toEqual([new Error('no')]);
+  expect(lease.motion?.axis).toBe('Y');
+  lease.release();
 });
 
 test('a page that slept for longer than the lease does not go on', async () => {
@@ -81,6 +119,7 @@ test('a page that slept for longer than the lease does not go on', async () => {
   await pass(renewal_ms);
   expect(jogs).toBe(sent);
   expect(lease.motion).toBeNull();
+  expect(numbers()).toEqual([ownNumbers.jogLate]);
 });
 
 test('focus, tab or connection gone: no renewal, and no press', async () => {
