@@ -544,6 +544,25 @@ describe('path', () => {
     });
   }
 
+  /** How long HOLD ALL waits to be heard while the view is made: told, not asserted. */
+  async function pressWhileItOpens(page, context) {
+    await page.evaluate(() => {
+      window.waited = [];
+      const note = ({ timeStamp }) => window.waited.push(performance.now() - timeStamp);
+      window.addEventListener('pointerdown', note, true);
+    });
+    const box = await page.locator('button.hold').boundingBox();
+    for (let moment_ms = 0; moment_ms < 800; moment_ms += 100) {
+      await show(page, 'help');
+      await page.evaluate(() => (location.hash = '#/path'));
+      await page.waitForTimeout(moment_ms);
+      await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    }
+    const waited = await page.evaluate(() => window.waited);
+    context.diagnostic(`hold is heard after ${Math.max(...waited).toFixed(0)} ms at most`);
+    await page.locator(`canvas[data-drawn="${points}"]`).waitFor();
+  }
+
   test(`${points} planned points come by pages, a press tells the line`, async (context) => {
     await stage.client.call('program.load', { program: 'helix.nc' });
     // The page waits for the path whose number the status has.
@@ -584,6 +603,7 @@ describe('path', () => {
     await page.mouse.up();
     const rate = ((await picture()) - first) / ((Date.now() - began) / 1000);
     context.diagnostic(`turned with ${rate.toFixed(1)} pictures a second, drawn in software`);
+    await pressWhileItOpens(page, context);
     await page.getByRole('button', { name: 'Front' }).click();
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
     await page.getByText(/This part comes from line \d+/).waitFor();

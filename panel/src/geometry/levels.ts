@@ -28,20 +28,23 @@ export class Levels {
 
   constructor(private readonly track: Track) {}
 
-  /** Takes in what was added to the track. Only what came, and the stretch that was not full. */
-  grow(): void {
+  /** Takes in what was added to the track: only what came, and the stretch that was not full. False when the time
+      `until` (performance.now()) has come before that. */
+  grow(until = Infinity): boolean {
     const { track } = this;
     if (track.generation !== this.#generation) this.#begin();
-    if (track.count === this.#grown) return;
-    this.#grown = track.count;
+    if (track.count === this.#grown) return true;
+    this.#shown = 0;
     const last = this.#stretches.at(-1);
     if (last !== undefined && last.last - last.first < segmentsEach) this.#stretches.pop();
     for (let first = this.#stretches.at(-1)?.last ?? 0; first < track.count - 1;) {
+      if (performance.now() > until) return false;
       const end = Math.min(first + segmentsEach, track.count - 1);
       this.#stretches.push(new Stretch(track, first, end));
       first = end;
     }
-    this.#shown = 0;
+    this.#grown = track.count;
+    return true;
   }
 
   /** Fills in the segments of a picture, unless they are the same as in the one before. */

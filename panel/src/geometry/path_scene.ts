@@ -98,6 +98,9 @@ interface Shown {
   pairs: Pairs;
 }
 
+/** What waits for the thread of the page goes first. */
+const turn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
 function bytesOf(colour: string): Colour {
   const { r, g, b } = new Color(colour);
   return [255 * r, 255 * g, 255 * b];
@@ -157,6 +160,10 @@ export class PathScene {
   /** Until a person turns or zooms the picture, it keeps the whole path in view. */
   #follows = true;
   #pictures = 0;
+  /** Whether what shades lines and bodies has been made, which the thread of the page does not wait for. */
+  #isCompiled = false;
+  #isClosed = false;
+  #coloured = 0;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -169,6 +176,7 @@ export class PathScene {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true });
     this.#pace = new PicturePace({
       fullPixels: () => this.#screen[0] * this.#screen[1] * this.#ratio ** 2,
+      prepare: (until) => this.#prepare(until),
       draw: (share, stands) => this.#render(share, stands ? 'standing' : 'moving'),
       gl: () => this.#renderer.getContext() as WebGL2RenderingContext,
     });
@@ -215,6 +223,22 @@ export class PathScene {
     this.#controls.addEventListener('start', () => (this.#follows = false));
     this.look(firstLook[lie]);
     if (standpoint !== undefined) this.#standAt(standpoint);
+    setTimeout(() => void this.#compile());
+  }
+
+  async #compile(): Promise<void> {
+    if (this.#isClosed) return;
+    await this.#renderer.compileAsync(this.#scene, this.#camera);
+    // Each waits a moment for the graphics, and so does a picture of another size.
+    for (const program of this.#renderer.info.programs ?? []) {
+      if (this.#isClosed) return;
+      program.getUniforms();
+      await turn();
+    }
+    this.#fit(this.#pace.share());
+    await turn();
+    this.#isCompiled = true;
+    this.draw();
   }
 
   /** From where it is seen now. */
@@ -442,16 +466,20 @@ export class PathScene {
     this.#markedOf = { count, generation };
   }
 
+  #prepare(until: number): boolean {
+    const { levels } = this.planned.count > 0 ? this.#planned : this.#traced;
+    return levels.grow(until) && this.#colours.grow(until);
+  }
+
   #showLines(how: keyof typeof fineness): void {
     const { planned, traced } = this;
     const [plan, trace] = [this.#planned, this.#traced];
     const sight = this.#sight(how);
-    for (const { levels, pairs } of planned.count > 0 ? [plan] : [trace]) {
-      levels.grow();
-      levels.choose(sight, pairs);
-    }
+    const { levels, pairs } = planned.count > 0 ? plan : trace;
+    levels.choose(sight, pairs);
     this.#growMarked();
-    if (this.#colours.grow()) this.#colourValues.replaced();
+    if (this.#coloured !== this.#colours.version) this.#colourValues.replaced();
+    this.#coloured = this.#colours.version;
     this.#lines.marked.show(this.#marked, -1, planned.count);
     this.#lines.done.show(plan.pairs, -1, this.#reached);
     this.#lines.plan.show(plan.pairs, this.#reached, planned.count);
@@ -531,14 +559,18 @@ export class PathScene {
   }
 
   draw(): void {
-    this.#pace.wake();
+    if (this.#isCompiled) this.#pace.wake();
   }
 
-  #render(share: number, how: keyof typeof fineness): void {
+  #fit(share: number): void {
     const [width, height] = this.#screen;
     const size = new Vector2(width, height).multiplyScalar(this.#ratio * share).floor();
     if (!this.#renderer.getSize(new Vector2()).equals(size))
       this.#renderer.setSize(size.x, size.y, false);
+  }
+
+  #render(share: number, how: keyof typeof fineness): void {
+    this.#fit(share);
     this.#showLines(how);
     this.#renderer.render(this.#scene, this.#camera);
     this.#pictures += 1;
@@ -552,6 +584,7 @@ export class PathScene {
   }
 
   close(): void {
+    this.#isClosed = true;
     this.#pace.close();
     this.#controls.dispose();
     this.workpiece.close();

@@ -1,13 +1,17 @@
 // When pictures are drawn: when something has changed, one after the other, and no other begins before the one before is
-// done, so that none pile up where drawing takes long. While things change they are as sharp as is fast enough; when nothing has
-// changed for a moment comes one that is as sharp as the screen.
+// done, so that none pile up where drawing takes long. What a picture needs is made ready by slices, between which a press on
+// hold or stop is heard. While things change they are as sharp as is fast enough; when nothing has changed for a moment comes one
+// that is as sharp as the screen.
 import { Sharpness } from './sharpness';
 
 const moment_ms = 250;
+const slice_ms = 8;
 
 /** Draws; says how many pixels a picture has that is as sharp as the screen. */
 export interface Easel {
   fullPixels(): number;
+  /** Makes ready what the next picture needs, until a time (performance.now()); true when that is all. */
+  prepare(until: number): boolean;
   /** share: of the width and height of such a picture; 1: one that stands. */
   draw(share: number, stands: boolean): void;
   gl(): WebGL2RenderingContext;
@@ -28,10 +32,20 @@ export class PicturePace {
     this.#asked = true;
     if (this.#busy || this.#closed) return;
     this.#busy = true;
-    requestAnimationFrame(() => {
-      this.#asked = false;
-      if (!this.#closed) this.#move();
-    });
+    requestAnimationFrame(() => this.#prepare());
+  }
+
+  #prepare(): void {
+    if (this.#closed) return;
+    if (!this.easel.prepare(performance.now() + slice_ms))
+      return void setTimeout(() => this.#prepare());
+    this.#asked = false;
+    this.#move();
+  }
+
+  /** Of the width and height, in the next picture. */
+  share(): number {
+    return this.#sharpness.share(this.easel.fullPixels());
   }
 
   close(): void {
@@ -41,13 +55,14 @@ export class PicturePace {
 
   #move(): void {
     const pixels = this.easel.fullPixels();
-    const share = this.#sharpness.share(pixels);
+    const share = this.share();
     this.easel.draw(share, false);
     this.#whenDone((time_ms) => this.#sharpness.took(time_ms, pixels * share * share));
   }
 
   #stand(): void {
     if (this.#busy || this.#closed) return;
+    if (!this.easel.prepare(performance.now() + slice_ms)) return this.wake();
     this.#busy = true;
     this.easel.draw(1, true);
     this.#whenDone(() => undefined, 'stands');

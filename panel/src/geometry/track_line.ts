@@ -4,6 +4,7 @@ import {
   BufferGeometry,
   DynamicDrawUsage,
   LineSegments,
+  Sphere,
   type LineBasicMaterial,
 } from 'three';
 import type { Pairs } from './pairs';
@@ -73,6 +74,8 @@ export class TrackLine {
   ) {
     this.line = new LineSegments(this.#geometry, material);
     this.line.frustumCulled = false;
+    // Else it is found anew of all points, only to put transparent bodies into order.
+    this.#geometry.boundingSphere = new Sphere();
   }
 
   /** Shows the pairs that end behind one point and at or before another. */
