@@ -189,6 +189,43 @@ describe('states', () => {
     await page.context().close();
   });
 
+  test('Start does not begin at the top while a place is written that was not searched', async () => {
+    await stage.client.call('program.load', { program: 'square_and_circle.nc' });
+    const sent = [];
+    const note = (message, way) => {
+      if (way === 'asked') sent.push(message.method);
+    };
+    const page = await stage.openMachine({ before: through(note) });
+    const card = page.getByRole('article', { name: '1 work' });
+    const says = card.locator('[data-start]');
+    await says.getByText('Start begins square_and_circle.nc at the top.').waitFor();
+    await page.getByText('Begin in the middle').click();
+    const field = page.getByLabel(/Begin at line/);
+    await field.fill('15');
+    await says.getByText('Start does nothing: “15” has not been searched.').waitFor();
+    await card.getByRole('button', { name: 'Start', exact: true }).click();
+    await page.getByRole('alert').getByText('has not been searched').waitFor();
+    assert.ok(!sent.includes('program.start'));
+    assert.deepEqual(await findings(page), []);
+    // A place written for one channel is none of the other.
+    await page.getByRole('button', { name: '2 master' }).click();
+    assert.equal(await field.inputValue(), '');
+    await page.getByRole('button', { name: '1 work' }).click();
+    await field.press('Enter');
+    await says.getByText('Start begins at square_and_circle.nc:15.').waitFor();
+    assert.equal((await stage.status()).begins_at, 'square_and_circle.nc:15');
+    // Forgotten by the daemon, it is a place that was not searched.
+    await stage.client.call('program.load', { program: 'square_and_circle.nc' });
+    await says.getByText('has not been searched').waitFor();
+    await field.fill('no such line');
+    await field.press('Enter');
+    await page.getByRole('alert').locator('.refusal').waitFor();
+    await says.getByText('“no such line” has not been searched').waitFor();
+    await field.fill('');
+    await says.getByText('at the top').waitFor();
+    await page.context().close();
+  });
+
   test('a view that fails leaves hold and stop where they are', async () => {
     const failing = async (page) => {
       await page.route('**/HistoryView-*.js', (route) =>
