@@ -94,6 +94,14 @@ test('the feed override is the daemon\u2019s', async () => {
   await until('150 %', async () => (await stage.status(1)).override.feed === 150);
   await page.getByRole('button', { name: 'Feed: more' }).click();
   await until('160 %', async () => (await stage.status(1)).override.feed === 160);
+  await slider.fill('0');
+  await mark(page, '1 work', 'standing').waitFor();
+  const work = card(page, '1 work');
+  await work.getByText('nothing moves: feed override 0 %').waitFor();
+  assert.equal(await work.getByText(/\d left/).count(), 0);
+  assert.ok(await work.getByRole('button', { name: 'Start', exact: true }).isDisabled());
+  await slider.fill('160');
+  await mark(page, '1 work', 'running').waitFor();
 });
 
 test('loading the page again changes nothing of the job', async () => {

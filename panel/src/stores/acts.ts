@@ -1,5 +1,6 @@
 // What the page asks of the machine from more than one place.
 import { t } from '../text/text';
+import { duration } from './format';
 import type { GlanceChannel } from './cell.svelte';
 import { store, type Channel } from './machine.svelte';
 
@@ -22,20 +23,44 @@ export async function resumeAll(): Promise<void> {
 /** The emergency stop of the software: along the path to rest, then the drives off. */
 export const stopAll = (): Promise<unknown> => store.call('machine.estop');
 
-export type StateKind = 'running' | 'waiting' | 'held' | 'alarm' | 'ready' | 'idle' | 'off';
+export type StateKind =
+  'running' | 'waiting' | 'standing' | 'held' | 'alarm' | 'ready' | 'idle' | 'off';
 
-/** In one word what a channel is doing. */
-export function stateOf(channel: GlanceChannel, on: boolean): StateKind {
+/** What the motion of a channel is judged by; not all who show a channel have it. */
+type Motion = Partial<Pick<Channel, 'override' | 'speed_mm_s' | 'g_codes' | 'words'>>;
+
+/** Which override lets nothing move; null: none does, or something moves all the same. */
+export function stoppingOverride(channel: Motion): 'feed' | 'rapid' | null {
+  const { override, speed_mm_s: speed, g_codes: codes = [], words = [] } = channel;
+  if (override === undefined || speed !== 0 || words.length === 0) return null;
+  const of = codes.includes('G0') ? 'rapid' : 'feed';
+  return override[of] === 0 ? of : null;
+}
+
+/** Which override may be why nothing has moved for a while: behind a rapid move, that of the feed move that follows. */
+export function overrideAtZero({ override }: Motion): 'feed' | 'rapid' | null {
+  if (override?.feed === 0) return 'feed';
+  return override?.rapid === 0 ? 'rapid' : null;
+}
+
+/** In one word what a channel is doing: running is what moves, not what a program is loaded for. */
+export function stateOf(channel: GlanceChannel & Motion, on: boolean): StateKind {
   if (channel.alarm != null) return 'alarm';
   if (channel.state === 'Interrupted') return 'held';
   if (channel.program_status === 'Waiting') return 'waiting';
-  if (channel.state === 'Active') return 'running';
+  if (channel.state === 'Active')
+    return stoppingOverride(channel) === null ? 'running' : 'standing';
   if (!on) return 'off';
   return channel.program != null ? 'ready' : 'idle';
 }
 
+/** Whether a program is under way. */
+export const isUnderWay = (state: StateKind): boolean =>
+  ['running', 'waiting', 'standing', 'held'].includes(state);
+
 export const kindOfMark = {
   running: 'running',
+  standing: 'attention',
   waiting: 'running',
   held: 'attention',
   alarm: 'alarm',
@@ -43,6 +68,13 @@ export const kindOfMark = {
   idle: 'idle',
   off: 'off',
 } satisfies Record<StateKind, string>;
+
+/** How long the run still takes. The prediction is for overrides of 100 %. */
+export function timeLeft({ remaining_s, override }: GlanceChannel & Motion): string {
+  const { feed = 100, rapid = 100 } = override ?? {};
+  const time = duration(remaining_s ?? 0);
+  return t(feed === 100 && rapid === 100 ? 'channel.left' : 'channel.left_full', { time });
+}
 
 /** How much of the run is over by the predicted time, 0 to 1; null without a prediction. */
 export function progressOf(channel: GlanceChannel): number | null {

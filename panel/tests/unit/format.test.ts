@@ -1,6 +1,16 @@
 // Numbers and times as they are shown, and the words for what a channel does.
 import { expect, test } from 'vitest';
-import { fileOf, kindOfMark, placeOf, progressOf, stateOf } from '../../src/stores/acts';
+import {
+  fileOf,
+  isUnderWay,
+  kindOfMark,
+  overrideAtZero,
+  placeOf,
+  progressOf,
+  stateOf,
+  stoppingOverride,
+  timeLeft,
+} from '../../src/stores/acts';
 import { bytes, duration, fixed, isRotary, numberIn } from '../../src/stores/format';
 import { spoken } from '../../src/stores/spoken.svelte';
 import type { Channel } from '../../src/stores/machine.svelte';
@@ -62,7 +72,37 @@ test('an alarm comes before all, then hold, waiting, running', () => {
   expect(stateOf(channel({ program: 'a.nc' }), true)).toBe('ready');
   expect(stateOf(channel({}), true)).toBe('idle');
   expect(stateOf(channel({ program: 'a.nc' }), false)).toBe('off');
-  expect(Object.keys(kindOfMark)).toHaveLength(7);
+  expect(Object.keys(kindOfMark)).toHaveLength(8);
+});
+
+test('what does not move is not running, and an override says why', () => {
+  const at = (feed: number, rapid: number, speed_mm_s: number, code = 'G1'): Channel => {
+    const some = { speed_mm_s, g_codes: [code, 'G90'], words: ['X', 'Y'] };
+    const running = { state: 'Active', program_status: 'Running' };
+    return channel({ ...running, ...some, override: { feed, rapid, spindle: 100 } });
+  };
+  expect(stateOf(at(0, 100, 0), true)).toBe('standing');
+  expect(stoppingOverride(at(0, 100, 0))).toBe('feed');
+  // On its way to rest, in a rapid move, or with a pause between two blocks.
+  expect(stateOf(at(0, 100, 3.5), true)).toBe('running');
+  expect(stateOf(at(0, 100, 0, 'G0'), true)).toBe('running');
+  expect(stateOf(at(100, 100, 0), true)).toBe('running');
+  expect(stoppingOverride(at(100, 0, 0, 'G0'))).toBe('rapid');
+  // A channel that directs others has nothing that could move.
+  expect(stateOf({ ...at(0, 0, 0), words: [] }, true)).toBe('running');
+  expect(overrideAtZero(at(0, 100, 0, 'G0'))).toBe('feed');
+  expect(overrideAtZero(at(100, 0, 0))).toBe('rapid');
+  expect(overrideAtZero(at(100, 100, 0))).toBeNull();
+  expect(isUnderWay('standing')).toBe(true);
+  expect(isUnderWay('ready')).toBe(false);
+});
+
+test('the time that is left is that of overrides of 100 %', async () => {
+  await spoken.speak('en');
+  const left = (feed: number): string =>
+    timeLeft(channel({ remaining_s: 83, override: { feed, rapid: 100, spindle: 100 } }));
+  expect(left(100)).toBe('1:23 left');
+  expect(left(50)).toBe('1:23 left at 100 %');
 });
 
 test('progress is a share of the predicted time', () => {
