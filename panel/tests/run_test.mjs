@@ -145,6 +145,22 @@ test('it can be cut open and put away', async () => {
   await until('the part', async () => Number(await canvas.getAttribute('data-triangles')) > 0);
 });
 
+test('the part of another program does not stand under the path of this one', async () => {
+  const canvas = page.locator('canvas');
+  await page.getByText('The part that plate.nc left in its last run').waitFor();
+  writeFileSync(join(stage.programs, 'other.nc'), 'G21 G90\nG1 X5 F600\nM30\n');
+  await stage.client.call('program.load', { program: 'other.nc', channel: 1 });
+  await page.getByText('Put away: the part of plate.nc; another program is loaded.').waitFor();
+  const button = page.getByRole('button', { name: 'Part' });
+  assert.equal(await button.getAttribute('aria-pressed'), 'false');
+  assert.deepEqual(await findings(), []);
+  await button.click();
+  await page.getByText('The part that plate.nc left in its last run').waitFor();
+  await stage.client.call('program.load', { program: 'plate.nc', channel: 1 });
+  await page.getByRole('button', { name: 'Part', pressed: true }).waitFor();
+  await until('the part', async () => Number(await canvas.getAttribute('data-triangles')) > 0);
+});
+
 /** A box as a text STL file. */
 function stlOf([x0, y0, z0], [x1, y1, z1]) {
   const at = (k) => [k & 1 ? x1 : x0, k & 2 ? y1 : y0, k & 4 ? z1 : z0];

@@ -90,8 +90,15 @@ export class WorkpieceMesh {
     this.changed();
   }
 
-  /** In the system in which it is drawn. */
+  /** Whether it is in the picture; it is kept all the same. */
+  put(where: 'into view' | 'away'): void {
+    this.group.visible = where === 'into view';
+    this.changed();
+  }
+
+  /** In the system in which it is drawn; empty while it is put away. */
   bounds(): Box3 {
+    if (!this.group.visible) return new Box3();
     return this.#own().applyMatrix4(this.group.matrix);
   }
 

@@ -36,6 +36,8 @@ export class PathFollower {
   /** Points of the planned path; 0 while there is none. */
   planned = $state(0);
   done = $state(0);
+  /** The planned path goes on behind what is drawn. */
+  isComing = $state(false);
   /** Why the planned path does not lead to the end of the program; null: it does, or it still grows. */
   givenUp = $state<GivenUp | null>(null);
   /** The part system, in which the path lies; null: not known. */
@@ -87,6 +89,7 @@ export class PathFollower {
     this.planned = this.done = 0;
     this.givenUp = null;
     this.part = null;
+    this.isComing = plan != null;
     if (plan != null) void this.#readPlan(wanted, id, plan);
   }
 
@@ -109,12 +112,14 @@ export class PathFollower {
           page += 1;
         } else if (answer.complete || answer.given_up !== null) {
           this.givenUp = answer.given_up as GivenUp | null;
+          this.isComing = false;
           return;
         } else {
           await pause(again_ms);
         }
       }
     } catch {
+      this.isComing = false;
       // Lost or refused: the trace is drawn in its place, and the path is asked for again.
       await pause(after_refusal_ms);
       if (wanted === this.#asked) this.#asked = 'again';

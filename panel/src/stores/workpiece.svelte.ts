@@ -24,6 +24,24 @@ export interface Shown {
 
 const period_ms = 400;
 
+/** What a line by hand is called among the runs; it announces no blank. */
+const byHand = 'MDI';
+let greeting: unknown;
+let cutters: Record<string, Promise<string | null>> = {};
+
+/** The program that announced a workpiece, asked for when it is first seen: that of the newest run then. */
+export function cutterOf(channel: number, workpiece: number): Promise<string | null> {
+  // Another daemon counts anew.
+  if (greeting !== store.hello) [greeting, cutters] = [store.hello, {}];
+  return (cutters[`${channel} ${workpiece}`] ??= store.call('program.history').then(
+    ({ runs }) => {
+      const own = runs.filter((run) => run.channel === channel && run.program !== byHand);
+      return own.at(-1)?.program ?? null;
+    },
+    () => null,
+  ));
+}
+
 const pause = (time_ms: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, time_ms));
 
@@ -34,6 +52,8 @@ export class WorkpieceFollower {
   leftOut = $state(0);
   /** The workpiece system in which its triangles lie. */
   base = $state.raw<Carried | null>(null);
+  /** Not all of it has come yet: what is drawn is a piece of it. */
+  isComing = $state(false);
   /** Why the surface does not come: of the reference, most often. */
   failed = $state('');
   #since = 0;
@@ -92,6 +112,7 @@ export class WorkpieceFollower {
       this.leftOut = answer.cycles_left_out;
       if (JSON.stringify(answer.base) !== JSON.stringify(this.base)) this.base = answer.base;
       version ??= answer.version;
+      this.isComing = known.since === 0 && answer.next !== null;
       await this.#show(answer.geometry as Geometry);
       from = answer.next;
     }
@@ -109,6 +130,7 @@ export class WorkpieceFollower {
   forget(next = 0): void {
     this.shown.clear();
     this.workpiece = next;
+    this.isComing = false;
     this.#since = 0;
   }
 }

@@ -572,6 +572,9 @@ export const english = {
   'part.above': 'above {from} mm: left',
   'part.between': '{from} to {to}',
   'part.show': 'Part',
+  'part.coming': 'The part is being fetched: this is a piece of it.',
+  'part.of': 'The part that {program} left in its last run',
+  'part.put_away': 'Put away: the part of {program}; another program is loaded.',
   'part.section': 'Section',
   'part.whole': 'whole part',
   'part.cut': 'cut across {axis}',
@@ -608,6 +611,7 @@ export const english = {
   'given_up.refused': 'the program does not start.',
   'given_up.failed': 'planning failed; the log of stanokd says why.',
   'given_up.replaced': 'another program was loaded.',
+  'path.coming': 'The path is being fetched: it goes on.',
   'path.trace_only':
     'What the tool has gone since this page looks at it; a planned path is not there.',
   'view.process': 'Process',

@@ -2,7 +2,7 @@
 // replaces the first.
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { store } from '../../src/stores/machine.svelte';
-import { WorkpieceFollower } from '../../src/stores/workpiece.svelte';
+import { cutterOf, WorkpieceFollower } from '../../src/stores/workpiece.svelte';
 
 type Asked = Record<string, number>;
 let asked: Asked[];
@@ -89,6 +89,35 @@ test('all pages first, then what is newer than the first of them', async () => {
     [1, 4, 0],
   ]);
   expect([...bricks.keys()]).toEqual([0, 9]);
+});
+
+test('as long as pages are missing it says so; changes of a whole part do not', async () => {
+  answers = [page(1, 4, 0, [[0, 0, 6]], 7), () => ({ ...page(1, 4, 7, [[9, 0, 3]], null)() })];
+  const said: boolean[] = [];
+  const call = vi.mocked(store.call).getMockImplementation();
+  vi.mocked(store.call).mockImplementation(((method: string, params: Asked) => {
+    said.push(follower.isComing);
+    return call?.(method as never, params as never);
+  }) as unknown as typeof store.call);
+  answers.push(page(1, 6, 0, [[3, 0, 6]], 5), page(1, 6, 5, [[5, 0, 3]], null));
+  stop = follower.follow(1);
+  await vi.advanceTimersByTimeAsync(700);
+  expect(said).toEqual([false, true, false, false]);
+});
+
+test('a part is that of the newest run when it was first seen, lines by hand left out', async () => {
+  let runs = [
+    { channel: 1, program: 'first.nc' },
+    { channel: 2, program: 'other.nc' },
+    { channel: 1, program: 'MDI' },
+  ];
+  vi.mocked(store.call).mockImplementation((() =>
+    Promise.resolve({ runs })) as unknown as typeof store.call);
+  stop = () => undefined;
+  expect(await cutterOf(1, 7)).toBe('first.nc');
+  runs = [...runs, { channel: 1, program: 'second.nc' }];
+  expect(await cutterOf(1, 7)).toBe('first.nc');
+  expect(await cutterOf(1, 8)).toBe('second.nc');
 });
 
 test('another blank takes the place of the first; none shows nothing', async () => {
