@@ -20,6 +20,17 @@ export async function resumeAll(): Promise<void> {
   await Promise.all(held.map(({ id }) => store.call('program.resume', { channel: id })));
 }
 
+/** Every one of these channels is reset; the first refusal is thrown when all were asked for. */
+export async function resetAll(channels: readonly number[]): Promise<void> {
+  await Promise.all(channels.map((channel) => store.call('program.reset', { channel })));
+}
+
+const stopAllCode = 'A1001';
+
+/** What an alarm says. That of STOP ALL has the words of the button: it is not that of the emergency stop. */
+export const textOf = ({ code, text }: { code: string; text: string }): string =>
+  code === stopAllCode ? t('alarm.stop_all') : text;
+
 /** The emergency stop of the software: along the path to rest, then the drives off. */
 export const stopAll = (): Promise<unknown> => store.call('machine.estop');
 

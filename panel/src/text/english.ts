@@ -25,8 +25,12 @@ export const english = {
   'resume_all.question': 'Axes move. Go on with {channels}?',
   'topic.resume':
     'Every channel that is held goes on from where it stands, as with its own Resume.',
+  reset_all: 'Reset all',
+  'topic.reset':
+    'Every channel with an alarm is reset, as with its own Reset: its program is at its beginning again. Nothing moves; switch the machine on to go on.',
   stop_all: 'STOP ALL',
   stop_all_note: 'not the E-stop',
+  'alarm.stop_all': 'STOP ALL by an operator: a stop by software, not the E-stop',
   'confirm.yes': 'Yes',
   'confirm.no': 'No',
   'refusal.title': 'Refused',
@@ -603,7 +607,7 @@ export const english = {
   'queue.stop': 'Begin no further one',
   'editor.queue': 'To the queue',
   'topic.queue':
-    'Programs of this channel that begin one after the other once the queue is started: each behind one that ended without an alarm. An alarm, a stop, a reset, the emergency stop, another program or somebody who takes the channel stops the queue.',
+    'Programs of this channel that begin one after the other once the queue is started: each behind one that ended without an alarm. An alarm, a stop, a reset, STOP ALL, another program or somebody who takes the channel stops the queue.',
   'path.given_up': 'The path is not planned to the end of the program:',
   'given_up.computing_time': 'computing it takes more than two minutes.',
   'given_up.machine_time': 'the program takes more than 48 hours.',
