@@ -360,9 +360,12 @@ describe('users', () => {
     await page.getByRole('button', { name: 'Yes' }).click();
     await page.getByRole('button', { name: 'Give control back' }).waitFor();
     const other = await stage.openMachine();
-    await other.getByText(/controlled by session \d+ \(operator/).waitFor();
+    await other.getByText('controlled by operator', { exact: true }).waitFor();
     await other.getByRole('button', { name: 'Start', exact: true }).first().click();
     await other.getByRole('alert').getByText('E6').waitFor();
+    await other.getByRole('alert').getByText('under control of operator').waitFor();
+    assert.doesNotMatch(await other.innerText('main'), /session \d|uid \d|pid \d/);
+    assert.doesNotMatch(await other.getByRole('alert').innerText(), /session \d|uid \d|pid \d/);
     await other.context().close();
     await page.context().close();
   });

@@ -2,6 +2,7 @@
 import { Refusal, ownNumbers } from '../rpc/json_rpc';
 import type { TextKey } from '../text/catalogue';
 import { t } from '../text/text';
+import { roleRefusal, withPeople } from './people';
 
 /** The command was meant for another situation than the one that the channel is in. */
 export const situationChanged = 'E6090';
@@ -54,7 +55,10 @@ function words(refusal: Refusal): Omit<Shown, 'at'> {
   }
   const { code, remedy, file, line } = refusal.data;
   const place = file !== null && line !== null && line > 0 ? `${file}:${line}` : null;
-  return { code, sentence: refusal.message, remedy, place };
+  const ofRole = roleRefusal(refusal.message);
+  if (ofRole !== null)
+    return { code, sentence: ofRole, remedy: t('refusal.not_permitted_remedy'), place };
+  return { code, sentence: withPeople(refusal.message), remedy, place };
 }
 
 export const refusals = new RefusalStore();

@@ -47,6 +47,8 @@ export const english = {
   'refusal.jog_late_remedy': 'Press again. Over a slow connection move in steps.',
   'refusal.not_permitted': 'Not permitted in the role “{role}”.',
   'refusal.not_permitted_remedy': 'Sign in with the rights to operate: the button with your name.',
+  'who.link': 'a page that was opened by its link',
+  'who.program': 'a program on the computer of the machine (process {process})',
   'role.observer': 'observer',
   'role.operator': 'operator',
   'role.programmer': 'programmer',

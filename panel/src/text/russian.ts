@@ -45,6 +45,8 @@ export const russian: Record<keyof typeof english, string> = {
   'refusal.jog_late_remedy': 'Нажмите снова. По медленной связи двигайте шагами.',
   'refusal.not_permitted': 'Не разрешено роли «{role}».',
   'refusal.not_permitted_remedy': 'Войдите с правами оператора: кнопка с вашим именем.',
+  'who.link': 'страница, открытая по ссылке',
+  'who.program': 'программа на компьютере станка (процесс {process})',
   'role.observer': 'наблюдатель',
   'role.operator': 'оператор',
   'role.programmer': 'технолог',
