@@ -58,6 +58,7 @@ function parameters(method) {
 }
 
 const roles = methods.map((method) => `  ${key(method.name)}: '${method['x-role']}',`);
+const aged = methods.filter((method) => method.params.some((one) => one.name === 'seen_cycle'));
 const types = methods.map(
   (method) =>
     `  /** ${method.summary.replaceAll('*/', '')} */\n  ${key(method.name)}: {\n    params: ${parameters(method)};\n` +
@@ -78,5 +79,10 @@ export type MethodName = keyof Methods;
 export const method_roles: Record<MethodName, string> = {
 ${roles.join('\n')}
 };
+
+/** What begins motion, and says what was seen when it was asked for. */
+export const aged_methods: readonly string[] = [
+${aged.map((method) => `  '${method.name}',`).join('\n')}
+];
 `,
 );

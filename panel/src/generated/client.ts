@@ -3,7 +3,9 @@
 export interface Methods {
   /** switch on the drives of the axes that take part */
   "machine.on": {
-    params: Record<string, never>;
+    params: {
+      seen_cycle?: number;
+    };
     result: {
       accepted: boolean;
     };
@@ -26,6 +28,7 @@ export interface Methods {
   "machine.status": {
     params: Record<string, never>;
     result: {
+      age_ms: number;
       channels: {
         id: number;
         name: string;
@@ -88,6 +91,7 @@ export interface Methods {
       channel?: number;
     };
     result: {
+      age_ms: number;
       alarm: {
         acknowledged?: boolean;
         channel: number;
@@ -114,6 +118,7 @@ export interface Methods {
       block_skip: number[];
       controlled_by: string | null;
       coolant: string[];
+      cycle: number;
       diameter: string[];
       feed_mm_min: number;
       feed_mm_rev: number;
@@ -440,6 +445,7 @@ export interface Methods {
       program: string;
       channel?: number;
       wait?: "accepted" | "done";
+      seen_cycle?: number;
     };
     result: {
       accepted?: boolean;
@@ -455,7 +461,10 @@ export interface Methods {
     params: {
       channel?: number;
       wait?: "accepted" | "done";
+      approach?: number;
+      restore?: number;
       situation?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted?: boolean;
@@ -479,6 +488,7 @@ export interface Methods {
   "program.resume": {
     params: {
       channel?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted: boolean;
@@ -589,6 +599,16 @@ export interface Methods {
       channel?: number;
     };
     result: {
+      approach?: {
+        changes: string[];
+        moves: ({
+          feed_mm_min: number | null;
+          kind: string;
+          length_mm: number;
+          to: Record<string, number>;
+        })[];
+        number: number;
+      };
       calculated: boolean;
       target: string;
     };
@@ -598,6 +618,7 @@ export interface Methods {
     params: {
       percent: number;
       channel?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted: boolean;
@@ -608,6 +629,7 @@ export interface Methods {
     params: {
       percent: number;
       channel?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted: boolean;
@@ -707,6 +729,7 @@ export interface Methods {
   "queue.start": {
     params: {
       channel?: number;
+      seen_cycle?: number;
     };
     result: {
       queues: ({
@@ -762,6 +785,7 @@ export interface Methods {
     params: {
       scheme: number;
       channel?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted: boolean;
@@ -1118,6 +1142,7 @@ export interface Methods {
       channel?: number;
       wait?: "accepted" | "done";
       situation?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted?: boolean;
@@ -1136,6 +1161,7 @@ export interface Methods {
       increment?: number;
       frame?: "machine" | "tool" | "plane";
       channel?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted: boolean;
@@ -1146,6 +1172,7 @@ export interface Methods {
     params: {
       axis?: string;
       channel?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted: boolean;
@@ -1662,3 +1689,18 @@ export const method_roles: Record<MethodName, string> = {
   "system.shutdown": 'integrator',
   "rpc.discover": 'observer',
 };
+
+/** What begins motion, and says what was seen when it was asked for. */
+export const aged_methods: readonly string[] = [
+  'machine.on',
+  'program.run',
+  'program.start',
+  'program.resume',
+  'override.feed',
+  'override.rapid',
+  'queue.start',
+  'kinematics.select',
+  'mdi',
+  'jog',
+  'home',
+];

@@ -18,6 +18,8 @@ export interface JogMotion {
   velocity: number;
   /** Whose directions: left out, an axis of the machine; else `axis` is X, Y or Z. */
   frame?: 'tool' | 'plane';
+  /** The newest cycle of the machine that was seen when it was pressed. */
+  seen_cycle?: number;
 }
 
 export interface JogPort {

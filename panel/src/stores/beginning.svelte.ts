@@ -17,7 +17,21 @@ export interface Found {
   coolant?: unknown;
   spindles?: { spindle: number; turns: string; speed_rev_per_min: number }[];
   not_executed?: { what: string; count: number; first_line: number }[];
+  approach?: {
+    number: number;
+    changes: string[];
+    moves: { kind: string; length_mm: number; feed_mm_min: number | null }[];
+  };
 }
+
+/** "lift 10 mm, lateral 120.8 mm, plunge 6 mm at 600 mm/min" */
+export const wayOf = ({ approach }: Found): string =>
+  (approach?.moves ?? [])
+    .map(({ kind, length_mm, feed_mm_min }) => {
+      const feed = feed_mm_min === null ? '' : ` · F${Math.round(feed_mm_min)}`;
+      return `${t(`search.${kind}` as 'search.lift')} ${length_mm.toFixed(1)} mm${feed}`;
+    })
+    .join(', ');
 
 type Loaded = Pick<Channel, 'id' | 'begins_at' | 'program'>;
 
@@ -49,12 +63,27 @@ export class Beginning {
     return t('start.top', { program: channel.program });
   }
 
+  /** What is asked before a start in the middle. */
+  get question(): string | null {
+    const found = this.found;
+    if (found?.approach === undefined) return null;
+    const changes = found.approach.changes.join(', ');
+    const way = wayOf(found);
+    return t('start.question', {
+      place: found.target,
+      way: way === '' ? '–' : way,
+      changes: changes === '' ? '–' : changes,
+    });
+  }
+
   async start(channel: Channel): Promise<void> {
     if (this.isUnsearched(channel)) {
       const remedy = t('start.unsearched_remedy');
       throw new Refusal(0, this.sentence(channel), { ...noData, remedy });
     }
-    await store.call('program.start', { channel: channel.id, ...situationOf(channel) });
+    const approach = this.found?.approach?.number;
+    const way = channel.begins_at != null && approach !== undefined ? { approach, restore: 1 } : {};
+    await store.call('program.start', { channel: channel.id, ...way, ...situationOf(channel) });
     this.target = this.#searched = '';
     this.found = null;
   }

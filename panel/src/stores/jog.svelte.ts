@@ -59,7 +59,9 @@ class Jogging {
     this.place = place;
     const velocity = this.velocity * direction;
     const frame = this.frame === 'machine' ? {} : { frame: this.frame };
-    const motion = { channel: store.chosen, axis, velocity, ...frame };
+    // Renewals say what was seen when the key went down: behind the end of their jog they begin none.
+    const seen_cycle = store.seenCycle;
+    const motion = { channel: store.chosen, axis, velocity, seen_cycle, ...frame };
     if (this.step === 'hold') this.#lease.press(motion);
     else this.#increment(motion, Number(this.step));
   }

@@ -2,7 +2,7 @@
 //
 // Nothing of a job is kept here: what is shown is the daemon's, and a reload loses nothing.
 import type { MethodName } from '../generated/client';
-import { method_roles } from '../generated/client';
+import { aged_methods, method_roles } from '../generated/client';
 import { Refusal, noData, ownNumbers, type Arguments, type Result } from '../rpc/json_rpc';
 import { Link, type LinkState, type Socket } from '../rpc/link';
 import { mergePatch, type Json } from '../rpc/merge_patch';
@@ -31,6 +31,7 @@ export interface Hello {
   version: string;
   api: number;
   machine: string;
+  cycle?: number;
   channels: { id: number; name: string }[];
   session: number;
   role: string;
@@ -111,10 +112,16 @@ class MachineStore {
     return roleOrder.indexOf(this.role) >= roleOrder.indexOf(wanted);
   }
 
+  /** The newest cycle of which the page has heard. */
+  get seenCycle(): number {
+    return Math.max(this.hello?.cycle ?? 0, ...this.channels.map((one) => one.cycle ?? 0));
+  }
+
   call<M extends MethodName>(method: M, ...params: Arguments<M>): Promise<Result<M>> {
     const link = this.#link;
     if (link === null) return Promise.reject(new Refusal(ownNumbers.notConnected, '', noData));
-    return link.request(method, params[0] ?? {}) as Promise<Result<M>>;
+    const seen = aged_methods.includes(method) ? { seen_cycle: this.seenCycle } : {};
+    return link.request(method, { ...seen, ...params[0] }) as Promise<Result<M>>;
   }
 
   on(method: string, take: (params: unknown) => void): () => void {
