@@ -18,7 +18,7 @@ import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "support"))
-from running_daemon import Operator, running_daemon  # noqa: E402
+from running_daemon import Operator, connect, running_daemon  # noqa: E402
 from web_browser import PATIENCE_S, Browser, Closed, running_web  # noqa: E402
 
 STANOK_WEB, STANOKD, STANOK, MACHINE = (sys.argv.pop(1) for _ in range(4))
@@ -325,6 +325,45 @@ class AtTheMachine(unittest.TestCase):
         while (message := next((one for one in window.notifications if one.get("id") == 1000), None)) is None:
             window.notifications.append(window.receive())
         self.assertEqual(message["error"]["data"]["code"], "E9017")
+        window.close()
+
+    def test_a_page_without_a_place_stops_the_machine(self):
+        first = self.open_window()
+        self.switch_on(first)
+        first.ask("program.write", program="endless.nc", text="G21 G90 F600\nwhile (true) {\nG1 X20\nX0\n}\n")
+        first.ask("program.run", program="endless.nc")
+        self.until(lambda status: status["speed_mm_s"] > 1.0, "it ran")
+        idle = [connect(self.machine.socket_path) for _ in range(70)]
+        self.addCleanup(lambda: [one.close() for one in idle])
+        window = self.browser.open_window()
+        hello = window.receive()
+        self.assertEqual(hello["method"], "hello")
+        self.assertEqual([one["id"] for one in hello["params"]["channels"]], [1])
+        self.assertEqual(window.receive()["params"]["code"], "E9008")
+        self.assertEqual(window.answer("machine.status")["error"]["data"]["code"], "E9008")
+        window.ask("program.hold", channel=1)
+        self.until(lambda status: status["speed_mm_s"] == 0.0, "it was held")
+        window.ask("machine.estop")
+        self.until(lambda status: status["state"] == "Error" or status["alarm"] is not None, "an emergency stop")
+        window.close()
+        first.close()
+
+    def test_a_stop_waits_for_no_other_request_of_its_page(self):
+        window = self.open_window()
+        self.switch_on(window)
+        window.ask("program.write", program="endless.nc", text="G21 G90 F600\nwhile (true) {\nG1 X20\nX0\n}\n")
+        window.ask("program.run", program="endless.nc")
+        self.until(lambda status: status["speed_mm_s"] > 1.0, "it ran")
+        for number in range(2000, 2200):
+            window.send({"jsonrpc": "2.0", "id": number, "method": "rpc.discover", "params": {}})
+        window.send({"jsonrpc": "2.0", "id": 3000, "method": "program.hold", "params": {"channel": 1}})
+        answered = []
+        while not answered or answered[-1] != 3000:
+            message = window.receive()
+            if "id" in message:
+                answered.append(message["id"])
+        self.assertLess(len(answered), 200, "it was not the last one")
+        self.until(lambda status: status["speed_mm_s"] == 0.0, "it was held")
         window.close()
 
     def test_fifty_pages_at_once(self):

@@ -10,8 +10,11 @@
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <nlohmann/json.hpp>
 
+#include "protocol/discovery.h"
 #include "protocol/json_rpc.h"
 #include "protocol/json_text.h"
+#include "protocol/method_table.h"
+#include "protocol/version.h"
 #include "web/server/geometry_frame.h"
 
 namespace stanok::web {
@@ -25,6 +28,7 @@ using nlohmann::json;
 constexpr int id_of_role_request = 0;
 constexpr auto open_time_max = std::chrono::seconds(10);
 constexpr auto silence_max = std::chrono::seconds(30);
+constexpr std::size_t stop_bytes_max = 4096;  // as in the daemon
 
 std::string without_line_end(std::string line) {
   if (line.ends_with('\n')) line.pop_back();
@@ -48,7 +52,8 @@ WebSocketRelay::WebSocketRelay(std::shared_ptr<ClientStream> stream, WebSession 
     : stream_(std::move(stream)),
       websocket_(*stream_),
       machine_(stream_->get_executor()),
-      read_end_(stream_->get_executor()),
+      write_end_(stream_->get_executor(), asio::steady_timer::time_point::max()),
+      read_end_(stream_->get_executor(), asio::steady_timer::time_point::max()),
       session_(std::move(session)) {}
 
 void WebSocketRelay::set_bounds() {
@@ -68,11 +73,16 @@ asio::awaitable<void> WebSocketRelay::serve(Request request, std::filesystem::pa
   if (!is_accepted) co_return close();
   const bool is_known = co_await has_shown_key(std::move(is_key));
   if (!is_known) co_return close();
-  const bool has_entered = co_await enter(std::move(socket));
+  socket_ = std::move(socket);
+  const bool has_entered = co_await enter();
   if (!has_entered) co_return close();
   is_reading_ = true;
   asio::co_spawn(stream_->get_executor(), pass_to_machine(shared_from_this()), asio::detached);
-  co_await pass_to_browser();
+  if (has_place_) {
+    co_await pass_to_browser();
+  } else {
+    static_cast<void>(co_await read_end_.async_wait(asio::as_tuple(asio::use_awaitable)));
+  }
   close();
 }
 
@@ -107,21 +117,22 @@ asio::awaitable<std::optional<std::string>> WebSocketRelay::next_message() {
 }
 
 // Connects to the daemon, lowers the role, and shows its greeting.
-asio::awaitable<bool> WebSocketRelay::enter(std::filesystem::path socket) {
+asio::awaitable<bool> WebSocketRelay::enter() {
   step_begun_ = std::chrono::steady_clock::now();  // until the greeting is written
-  const bool is_connected = co_await machine_.connect(socket);
+  const bool is_connected = co_await machine_.connect(socket_);
   std::optional<std::string> greeting;
   if (is_connected) greeting = co_await machine_.next_line();
   if (!greeting) {
-    co_await turn_away("", "no daemon answers at " + socket.string());
+    co_await turn_away("", "no daemon answers at " + socket_.string());
     co_return false;
   }
   json hello = protocol::json_from_text(*greeting);
+  if (is_method(hello, "dropped")) co_return co_await greet_without_place(std::move(*greeting));
   if (!is_method(hello, "hello")) {
-    // There is no place; the daemon says why.
     static_cast<void>(co_await show(*greeting));
     co_return false;
   }
+  has_place_ = true;
   const bool is_lowered = co_await lower_role();
   if (!is_lowered) {
     co_await turn_away("", "the daemon did not take the role of the user");
@@ -132,6 +143,24 @@ asio::awaitable<bool> WebSocketRelay::enter(std::filesystem::path socket) {
   hello["params"]["role"] = protocol::role_name(role);
   hello["params"]["user"] = session_.identity.name;
   co_return co_await show(protocol::json_text(hello));
+}
+
+// The page needs a greeting to send stops, and is told why it gets nothing else.
+asio::awaitable<bool> WebSocketRelay::greet_without_place(std::string dropped) {
+  machine_.close();
+  const json told = protocol::json_from_text(dropped)["params"];
+  const json hello = {{"server", "stanokd"},
+                      {"version", protocol::version},
+                      {"api", protocol::api_version},
+                      {"machine", ""},
+                      {"cycle", 0},
+                      {"channels", told.value("channels", json::array())},
+                      {"session", 0},
+                      {"role", protocol::role_name(session_.identity.role)},
+                      {"user", session_.identity.name}};
+  if (!co_await show(without_line_end(protocol::notification_line("hello", hello))))
+    co_return false;
+  co_return co_await show(std::move(dropped));
 }
 
 // Nothing of the browser is passed on before the daemon has answered this.
@@ -149,11 +178,16 @@ asio::awaitable<bool> WebSocketRelay::lower_role() {
 }
 
 asio::awaitable<bool> WebSocketRelay::show(std::string message, FrameKind kind) {
+  while (is_writing_)
+    static_cast<void>(co_await write_end_.async_wait(asio::as_tuple(asio::use_awaitable)));
+  is_writing_ = true;
   websocket_.text(kind == FrameKind::text);
   step_begun_ = std::chrono::steady_clock::now();
   const auto [error, bytes] =
       co_await websocket_.async_write(asio::buffer(message), asio::as_tuple(asio::use_awaitable));
   step_begun_.reset();
+  is_writing_ = false;
+  write_end_.cancel();
   co_return !error;
 }
 
@@ -200,12 +234,61 @@ asio::awaitable<void> WebSocketRelay::outlast_browser() {
 
 asio::awaitable<void> WebSocketRelay::pass_to_machine(std::shared_ptr<WebSocketRelay> self) {
   while (auto message = co_await self->next_message()) {
-    if (!co_await self->machine_.send(as_one_line(std::move(*message)))) break;
+    if (!co_await self->take(as_one_line(std::move(*message)))) break;
   }
   // The daemon lets go of what this connection held, a jog first of all.
   self->machine_.close();
   self->is_reading_ = false;
   self->read_end_.cancel();
+}
+
+// False: the connection it would go to has ended. A stop goes both ways: at once, and behind what
+// was asked for before it, the renewals of a jog; there it wants no answer.
+asio::awaitable<bool> WebSocketRelay::take(std::string message) {
+  if (may_stop_by(message)) {
+    json again = protocol::json_from_text(message);
+    again.erase("id");
+    asio::co_spawn(stream_->get_executor(), stop(shared_from_this(), std::move(message)),
+                   asio::detached);
+    if (!has_place_) co_return true;
+    message = protocol::json_text(again);
+  }
+  if (has_place_) co_return co_await machine_.send(std::move(message));
+  const auto request = protocol::parse_request(message);
+  const json id = request ? request->id : json();
+  const protocol::Failure failure{
+      protocol::FailureKind::refused, "E9008", "there are too many clients", 0, {}};
+  co_return co_await show(without_line_end(protocol::failure_line(id, failure)));
+}
+
+// Refusals of a role are the daemon's, on the connection that has the role.
+bool WebSocketRelay::may_stop_by(std::string_view message) const {
+  if (message.size() > stop_bytes_max) return false;
+  const auto request = protocol::parse_request(message);
+  const protocol::Method* method = request ? protocol::find_method(request->method) : nullptr;
+  return method != nullptr && method->effect == protocol::Effect::stops &&
+         session_.identity.role >= method->role;
+}
+
+asio::awaitable<void> WebSocketRelay::stop(std::shared_ptr<WebSocketRelay> self,
+                                           std::string message) {
+  const auto request = protocol::parse_request(message);
+  MachineConnection own(self->stream_->get_executor());
+  if (co_await own.connect(self->socket_) && co_await own.send(std::move(message))) {
+    while (auto line = co_await own.next_line()) {
+      const json answer = protocol::json_from_text(*line);
+      if (!answer.is_object() || answer.contains("method") || !request->wants_answer) continue;
+      static_cast<void>(co_await self->show(std::move(*line)));
+      co_return;
+    }
+  }
+  const protocol::Failure failure{protocol::FailureKind::timed_out,
+                                  "E9016",
+                                  "no daemon answers: use the emergency stop of the machine",
+                                  0,
+                                  {}};
+  static_cast<void>(
+      co_await self->show(without_line_end(protocol::failure_line(request->id, failure))));
 }
 
 void WebSocketRelay::close() {

@@ -7,7 +7,11 @@
 // "2.0", "method": "session.key", "params": {"key": ""}}, and stays here. The role is lowered to
 // that of its user before another message of the browser is passed on. Nothing is queued here: the
 // next message is read when the last one is written, and who takes too long for that loses its
-// connection. One thread.
+// connection.
+//
+// A stop goes over a connection of its own as well, so that it waits for nothing which this one has
+// asked for; where the daemon has no place, the browser is told so and its stops are passed on all
+// the same. One thread.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -60,13 +64,18 @@ class WebSocketRelay : public std::enable_shared_from_this<WebSocketRelay> {
   [[nodiscard]] boost::asio::awaitable<bool> accept(Request request);
   [[nodiscard]] boost::asio::awaitable<bool> has_shown_key(IsKey is_key);
   [[nodiscard]] boost::asio::awaitable<std::optional<std::string>> next_message();
-  [[nodiscard]] boost::asio::awaitable<bool> enter(std::filesystem::path socket);
+  [[nodiscard]] boost::asio::awaitable<bool> enter();
   [[nodiscard]] boost::asio::awaitable<bool> lower_role();
   enum class FrameKind { text, binary };
   [[nodiscard]] boost::asio::awaitable<bool> show(std::string message,
                                                   FrameKind kind = FrameKind::text);
   [[nodiscard]] boost::asio::awaitable<bool> pass(std::string line);
   [[nodiscard]] boost::asio::awaitable<void> turn_away(std::string code, std::string reason);
+  [[nodiscard]] boost::asio::awaitable<bool> greet_without_place(std::string dropped);
+  [[nodiscard]] boost::asio::awaitable<bool> take(std::string message);
+  [[nodiscard]] bool may_stop_by(std::string_view message) const;
+  [[nodiscard]] static boost::asio::awaitable<void> stop(std::shared_ptr<WebSocketRelay> self,
+                                                         std::string message);
   [[nodiscard]] boost::asio::awaitable<void> pass_to_browser();
   [[nodiscard]] boost::asio::awaitable<void> outlast_browser();
   [[nodiscard]] static boost::asio::awaitable<void> pass_to_machine(
@@ -75,8 +84,12 @@ class WebSocketRelay : public std::enable_shared_from_this<WebSocketRelay> {
   std::shared_ptr<ClientStream> stream_;
   WebSocket websocket_;
   MachineConnection machine_;
-  bool is_reading_ = false;             // pass_to_machine is under way
-  boost::asio::steady_timer read_end_;  // cancelled when it ends
+  std::filesystem::path socket_;         // of the daemon
+  bool has_place_ = false;               // there
+  bool is_writing_ = false;              // show is under way
+  boost::asio::steady_timer write_end_;  // cancelled when it ends
+  bool is_reading_ = false;              // pass_to_machine is under way
+  boost::asio::steady_timer read_end_;   // cancelled when it ends
   WebSession session_;
   boost::beast::flat_buffer received_;
   std::optional<Time> step_begun_;  // of what must not take long
