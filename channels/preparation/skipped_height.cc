@@ -34,8 +34,7 @@ void SkippedHeight::pass(const lang::Move& arc, const motion::Point& start_W,
   const int first = geometry[plane[0]];
   const int second = geometry[plane[1]];
   if (first < 0 || second < 0) return;
-  const double radius =
-      std::hypot(start_W[first] - arc.centre[0], start_W[second] - arc.centre[1]);
+  const double radius = std::hypot(start_W[first] - arc.centre[0], start_W[second] - arc.centre[1]);
   for (const double u : {-radius, radius}) {
     for (const double v : {-radius, radius}) {
       motion::Point corner = start_W;

@@ -6,12 +6,12 @@
 #include <algorithm>
 
 #include "daemon/desk/operator_command.h"
-#include "daemon/desk/start_check.h"
 #include "daemon/desk/table_loading.h"
 #include "daemon/desk/unix_time.h"
 #include "daemon/report/drive_report.h"
 #include "daemon/report/inventory.h"
 #include "daemon/report/position_report.h"
+#include "daemon/report/search_report.h"
 #include "daemon/scope/scope_desk.h"
 #include "protocol/discovery.h"
 #include "protocol/json_text.h"
@@ -68,15 +68,15 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
                    std::function<void()> on_shutdown)
     : machine_(machine),
       description_(std::move(description)),
-      on_shutdown_(std::move(on_shutdown)),
       desk_(machine, notes_),
       touches_(machine, desk_),
       programs_(machine),
       queue_(machine, desk_, control_, notes_, description_.state_directory / "queue.txt"),
       surfaces_(machine),
       logs_(machine),
+      kept_answers_(description_.keep_tables),
       report_(machine, notes_),
-      service_{.started = std::chrono::steady_clock::now()} {
+      service_{.started = std::chrono::steady_clock::now(), .on_shutdown = std::move(on_shutdown)} {
   desk_.watch([this](const channels::OperatorEvent& accepted) { queue_.note(accepted); });
 }
 
@@ -457,7 +457,8 @@ void Dispatch::command(const Call& call) {
 }
 
 Answer Dispatch::noted(const SessionState& session, Answer answer) {
-  return [this, by = session.peer, answer = std::move(answer)](const CommandResult& outcome) {
+  return [this, by = session.peer,
+          answer = kept_answers_.behind_disk(std::move(answer))](const CommandResult& outcome) {
     if (outcome) desk_.tables().note(by, unix_time_s());
     answer(outcome);
   };
@@ -494,7 +495,7 @@ CommandResult Dispatch::allow_workpieces(const json& parameters) {
 void Dispatch::shut_down(const Call& call) {
   log_command(call.session, call.request, json());
   call.answer(json{{"accepted", true}});
-  on_shutdown_();
+  service_.on_shutdown();
 }
 
 CommandResult Dispatch::lower_role(const Call& call) {

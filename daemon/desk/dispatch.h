@@ -20,6 +20,7 @@
 #include "daemon/desk/program_queue.h"
 #include "daemon/desk/subscription.h"
 #include "daemon/desk/surface_desk.h"
+#include "daemon/desk/tables/kept_answers.h"
 #include "daemon/desk/tables/touch_desk.h"
 #include "daemon/report/measurement_notes.h"
 #include "daemon/report/status_report.h"
@@ -51,6 +52,7 @@ struct DaemonDescription {
   std::string build;
   std::filesystem::path state_directory;
   std::filesystem::path socket;
+  KeepTables keep_tables{};
 };
 
 class Dispatch {
@@ -71,6 +73,7 @@ class Dispatch {
     queue_.tick();
     surfaces_.tick();
     logs_.tick();
+    kept_answers_.tick();
   }
   void set_clients(std::size_t clients) { service_.clients = clients; }
   // The session has ended.
@@ -103,7 +106,8 @@ class Dispatch {
   void command(const Call& call);
   [[nodiscard]] static AskedAt asked_at(const Call& call);
   [[nodiscard]] CommandResult start_queue(const Call& call);
-  // An answer that notes what has changed of the tables, where it is no refusal.
+  // An answer that notes what has changed of the tables, where it is no refusal, and is given when
+  // the disk has it.
   [[nodiscard]] Answer noted(const SessionState& session, Answer answer);
   void note_control();
   void control_channel(Call call);
@@ -134,7 +138,6 @@ class Dispatch {
 
   RunningMachine& machine_;
   DaemonDescription description_;
-  std::function<void()> on_shutdown_;
   NotesOfChannels notes_;
   ChannelControl control_;
   std::map<int, int> told_control_;  // session by channel, as the cycle was told; -1: not known
@@ -144,12 +147,14 @@ class Dispatch {
   ProgramQueue queue_;
   SurfaceDesk surfaces_;
   LogDesk logs_;
+  KeptAnswers kept_answers_;
   StatusReport report_;
   MeasurementNotes measurements_;
-  // How the daemon came to be, and who looks at it.
+  // How the daemon came to be and how it ends, and who looks at it.
   struct Service {
     std::size_t clients = 0;
     SteadyTime started;
+    std::function<void()> on_shutdown;
   };
   Service service_;
 };

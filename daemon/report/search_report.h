@@ -1,12 +1,15 @@
-// A block search as an operator sees it.
+// A block search as an operator sees it, and whether a start means what was seen.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "channels/contract/output.h"
 #include "channels/contract/reports.h"
+#include "daemon/cycle/running_machine.h"
+#include "protocol/failure.h"
 
 namespace stanok::daemon {
 
@@ -22,5 +25,12 @@ namespace stanok::daemon {
 // turning", "coolant flood".
 [[nodiscard]] std::vector<std::string> changes_of_start(const channels::SearchReport& report,
                                                         const channels::ChannelOutput& output);
+
+// Why `program.start` with these parameters is refused; nothing: no search waits for the start, or
+// it is the one whose number is given, nothing has changed since, and what the start changes in the
+// spindle was asked for.
+[[nodiscard]] std::optional<protocol::Failure> obstacle_to_start(RunningMachine& machine,
+                                                                 int channel,
+                                                                 const nlohmann::json& parameters);
 
 }  // namespace stanok::daemon

@@ -167,7 +167,10 @@ int run_daemon(const DaemonOptions& options) {
   machine.set_loop(loop);
   recorder.ask_for_situations(
       [&machine](const channels::ChannelOutput& output) { return machine.situation(output); });
-  OperatorServer server(socket, machine, {build_description(), state.path(), socket.path()},
+  KeptState kept(state.path(), machine);
+  OperatorServer server(socket, machine,
+                        {build_description(), state.path(), socket.path(),
+                         [&kept](KeepDone done) { kept.keep_tables(std::move(done)); }},
                         {.panel_user = panel_user(options.panel_user)});
 
   // First the stop: what is said may need memory.
@@ -176,7 +179,6 @@ int run_daemon(const DaemonOptions& options) {
     ends = true;
     spdlog::critical("{}{} failed: {}; the machine is stopped", who, name, reason);
   };
-  const KeptState kept(state.path(), machine);
   const RunningDrives drives(assembly);
   ScopeFeed scope_feed(machine.scope(), loop);
   const PublisherThread publisher(

@@ -35,6 +35,9 @@ class KeptState {
  public:
   KeptState(const std::filesystem::path& directory, RunningMachine& machine);
 
+  // As StateKeeper::keep, for the tables.
+  void keep_tables(StateKeeper::Done done) { table_keeper_.keep(std::move(done)); }
+
  private:
   PositionSnapshot positions_;
   StateKeeper table_keeper_;

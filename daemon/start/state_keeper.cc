@@ -3,9 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
-#include <condition_variable>
 #include <exception>
-#include <mutex>
+#include <utility>
 
 namespace stanok::daemon {
 namespace {
@@ -17,41 +16,52 @@ constexpr auto period = std::chrono::milliseconds(500);
 StateKeeper::StateKeeper(std::filesystem::path file, const DurableKind& kind, Snapshot snapshot)
     : file_(std::move(file)), kind_(kind), snapshot_(std::move(snapshot)), saved_(snapshot_()) {
   thread_ = std::jthread([this](const std::stop_token& stop) {
-    std::mutex mutex;
-    std::condition_variable_any wake;
-    std::unique_lock lock(mutex);
+    std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
-      try_to_save();
-      wake.wait_for(lock, stop, period, [] { return false; });
+      save_for(std::exchange(waiting_, {}));
+      wake_.wait_for(lock, stop, period, [this] { return !waiting_.empty(); });
     }
-    try_to_save();
+    save_for(std::exchange(waiting_, {}));
   });
 }
 
+void StateKeeper::keep(Done done) {
+  const std::lock_guard lock(mutex_);
+  waiting_.push_back(std::move(done));
+  wake_.notify_all();
+}
+
+// Under the lock, which is given up meanwhile.
+void StateKeeper::save_for(std::vector<Done> waiting) {
+  mutex_.unlock();
+  const auto fault = try_to_save();
+  for (const Done& done : waiting) done(fault);
+  mutex_.lock();
+}
+
 // Where memory ends it is tried again, as with a disk that is full.
-void StateKeeper::try_to_save() {
+std::optional<std::string> StateKeeper::try_to_save() {
+  std::optional<std::string> fault;
   try {
-    save_when_changed();
-  } catch (const std::exception& fault) {
-    if (!has_told_fault_)
-      spdlog::error("{} cannot be kept: {}; tried again", kind_.name, fault.what());
-    has_told_fault_ = true;
+    fault = save_when_changed();
+  } catch (const std::exception& thrown) {
+    fault = thrown.what();
   }
+  if (fault && !has_told_fault_)
+    spdlog::error("{} cannot be kept: {}; tried again", kind_.name, *fault);
+  if (!fault && has_told_fault_) spdlog::info("{} are kept again", kind_.name);
+  has_told_fault_ = fault.has_value();
+  return fault;
 }
 
 StateKeeper::~StateKeeper() = default;
 
-void StateKeeper::save_when_changed() {
+std::optional<std::string> StateKeeper::save_when_changed() {
   std::string now = snapshot_();
-  if (now == saved_) return;
-  if (const auto fault = write_durably(file_, kind_, now)) {
-    if (!has_told_fault_) spdlog::error("{} cannot be kept: {}; tried again", kind_.name, *fault);
-    has_told_fault_ = true;
-    return;
-  }
-  if (has_told_fault_) spdlog::info("{} are kept again", kind_.name);
-  has_told_fault_ = false;
+  if (now == saved_) return std::nullopt;
+  if (auto fault = write_durably(file_, kind_, now)) return fault;
   saved_ = std::move(now);
+  return std::nullopt;
 }
 
 }  // namespace stanok::daemon

@@ -1,14 +1,18 @@
 // StateKeeper: a text on disk that follows what it is made from, so that it is there after the next
 // start.
 //
-// What changes is written within a second, and at the end. A disk that does not take it stops
-// nothing: it is told, once, and tried again.
+// What changes is written within a second, at once for who waits for it, and at the end. A disk
+// that does not take it stops nothing: it is told, once, and tried again.
 #pragma once
 
+#include <condition_variable>
 #include <filesystem>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "daemon/host/durable_file.h"
 
@@ -26,16 +30,25 @@ class StateKeeper {
   StateKeeper(const StateKeeper&) = delete;
   StateKeeper& operator=(const StateKeeper&) = delete;
 
+  // At once. `done` is told, from the thread of the keeper, when what the snapshot gives from now
+  // on is on the disk, or why it is not. Any thread.
+  using Done = std::function<void(const std::optional<std::string>& fault)>;
+  void keep(Done done);
+
  private:
-  void try_to_save();
-  void save_when_changed();
+  [[nodiscard]] std::optional<std::string> try_to_save();
+  [[nodiscard]] std::optional<std::string> save_when_changed();
+  void save_for(std::vector<Done> waiting);
 
   std::filesystem::path file_;
   DurableKind kind_;
   Snapshot snapshot_;
   std::string saved_;
   bool has_told_fault_ = false;
-  std::jthread thread_;  // last: it uses the members above
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::vector<Done> waiting_;  // for what is saved next
+  std::jthread thread_;        // last: it uses the members above
 };
 
 }  // namespace stanok::daemon

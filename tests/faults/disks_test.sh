@@ -56,9 +56,12 @@ code=0
 [[ $code == 0 || $code == 1 ]] || fail "log info of a cut log: $code"
 grep -q SETPOINT "$folder/info" || fail "nothing is read from the cut log: $(cat "$folder/info")"
 
-# The state fills its disk: told once, tried again, kept when there is room.
+# The state fills its disk: who changes it is told, and the log once; tried again, kept when there is room.
 head -c 1m /dev/zero >"$folder/state/filler" 2>/dev/null || true
-expect_exit 0 offset set G54 X 12.5
+expect_exit 1 offset set G54 X 12.5 --json
+expect_output 'E9025' "a change that the disk does not keep"
+expect_exit 0 offset list --json
+expect_output '"X":12.5' "it is in force all the same"
 await_line 'tables cannot be kept.*No space left'
 run_through short.nc
 rm "$folder/state/filler"

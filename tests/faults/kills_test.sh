@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Killed at random moments while tables are changed, and started again: the state always loads, and holds
-# a value that was set. Nothing moves before an operator says so.
+# the last value that was answered, or the one behind it. Nothing moves before an operator says so.
 #
 # usage: kills_test.sh STANOKD STANOK MACHINE_FILE [KILLS]   (default 50)
 set -euo pipefail
@@ -20,7 +20,7 @@ for ((life = 1; life <= kills; ++life)); do
   start_daemon
   found=$(read_offset)
   ((found <= value)) || fail "life $life: $found was never set, the last one was $value"
-  ((value - found <= 400)) || fail "life $life: $found is older than what half a second holds, $value"
+  ((value - found <= 1)) || fail "life $life: $value was answered, $found is there"
   value=$found
   expect_exit 0 machine status --json
   expect_output '"on":false' "life $life"
