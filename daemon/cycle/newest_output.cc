@@ -14,7 +14,7 @@ void NewestOutput::put(const channels::CycleOutput& output) RT_SAFE {
   slot.channel_count = output.channel_count;
   slot.signals = output.signals;
   for (int k = 0; k < output.channel_count; ++k) slot.channels[k] = output.channels[k];
-  put_at_.store(std::chrono::steady_clock::now(), std::memory_order_relaxed);
+  put_at_.store(clock_.now(), std::memory_order_relaxed);
   written_ = between_.exchange(written_ | is_new, std::memory_order_acq_rel) & index_mask;
 }
 

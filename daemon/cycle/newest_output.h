@@ -13,6 +13,7 @@
 
 #include "base/rt_safe.h"
 #include "channels/contract/output.h"
+#include "drives/modbus/bus_clock.h"
 
 namespace stanok::daemon {
 
@@ -27,7 +28,7 @@ class NewestOutput {
   [[nodiscard]] channels::CycleOutput get();
   // How long ago it was put.
   [[nodiscard]] std::chrono::nanoseconds age() const {
-    return std::chrono::steady_clock::now() - put_at_.load(std::memory_order_relaxed);
+    return clock_.now() - put_at_.load(std::memory_order_relaxed);
   }
 
  private:
@@ -37,7 +38,8 @@ class NewestOutput {
   std::unique_ptr<std::array<channels::CycleOutput, 3>> slots_;
   unsigned written_ = 0;
   std::atomic<unsigned> between_{1};
-  std::atomic<std::chrono::steady_clock::time_point> put_at_{std::chrono::steady_clock::now()};
+  drives::BusClock clock_;
+  std::atomic<drives::BusTime> put_at_{clock_.now()};
   std::mutex readers_;
   unsigned read_ = 2;
 };
