@@ -55,7 +55,7 @@ expect_text() {
   [[ $text == *"$2"* ]] || fail "$1 does not say: $2"
 }
 expect_text stanok-program.1 'NAME stanok-program - '
-expect_text stanok-program.1 'stanok program run [OPTION ...] [--channel N] [--wait, --no-wait] PROGRAM'
+expect_text stanok-program.1 'stanok program run [OPTION ...] [--channel N] [--wait, --no-wait] [--seen-cycle N] PROGRAM'
 expect_text stanok-log.1 'stanok log verify'
 expect_text stanok.1 '3 no connection to the daemon'
 expect_text stanokd.8 '--check-config check the machine file'

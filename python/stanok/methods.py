@@ -293,6 +293,8 @@ class ProgramMethods:
         *,
         channel: int | None = None,
         wait: Literal["accepted", "done"] | None = None,
+        approach: int | None = None,
+        restore: int | None = None,
         situation: int | None = None,
         seen_cycle: int | None = None,
     ) -> dict[str, Any]:
@@ -303,12 +305,16 @@ class ProgramMethods:
         Args:
             channel: channel; default: the first one; 1 to 999.
             wait: when the answer comes: request accepted, or work done.
+            approach: number of the approach that the block search told; 1 to 4294967295.
+            restore: 1: change tool, spindle and coolant at the height of the approach to what the block
+                needs; 0 to 1.
             situation: situation of the channel in the status that was looked at; refused where it has
                 changed since; 1 to 2147483647.
             seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
         """
         return self._call("program.start", _given(
-            channel=channel, wait=wait, situation=situation, seen_cycle=seen_cycle))
+            channel=channel, wait=wait, approach=approach, restore=restore, situation=situation,
+            seen_cycle=seen_cycle))
 
     def hold(self, *, channel: int | None = None) -> dict[str, Any]:
         """Feed hold: come to rest along the path.
