@@ -1,7 +1,9 @@
 #include "channels/coordinator/request_gate.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "channels/contract/operator_action.h"
 #include "channels/cycle/channel.h"
 
 namespace stanok::channels {
@@ -39,7 +41,10 @@ RequestGate::RequestGate(double cycle_s, double age_max_s)
     : cycle_s_(cycle_s), cycles_max_(std::llround(age_max_s / cycle_s)) {}
 
 void RequestGate::note_gap(std::int64_t cycle, std::int64_t periods) RT_SAFE {
-  if (periods > cycles_max_) seen_since_ = cycle;
+  if (periods <= 0) return;
+  const std::int64_t lost = losses_[newest_].lost + periods;
+  newest_ = (newest_ + 1) % 64;
+  losses_[newest_] = {cycle, lost};
 }
 
 std::optional<Verdict> RequestGate::refusal_of(const OperatorEvent& event, std::int64_t cycle,
@@ -48,9 +53,11 @@ std::optional<Verdict> RequestGate::refusal_of(const OperatorEvent& event, std::
   if (leased_jog(event) != nullptr && named != nullptr && named->motion.manual().is_jogging() &&
       jogger_[index] != event.session)
     return refusal("E6056", "another session jogs this channel");
-  if (renews || !lets_move(event, named) || !is_too_old(event, cycle)) return std::nullopt;
+  if (renews || !lets_move(event, named)) return std::nullopt;
+  const std::int64_t age = age_of(event, cycle);
+  if (age <= cycles_max_) return std::nullopt;
   Verdict verdict = refusal("E6073", "");
-  const auto tenths = std::llround(10.0 * static_cast<double>(cycle - event.seen_cycle) * cycle_s_);
+  const auto tenths = std::llround(10.0 * static_cast<double>(age) * cycle_s_);
   verdict.text.append("who asked had seen the machine as it was ")
       .append(static_cast<long>(tenths / 10))
       .append(".")
@@ -63,9 +70,13 @@ void RequestGate::note(const OperatorEvent& event, int index) RT_SAFE {
   if (index >= 0 && leased_jog(event) != nullptr) jogger_[index] = event.session;
 }
 
-bool RequestGate::is_too_old(const OperatorEvent& event, std::int64_t cycle) const RT_SAFE {
-  if (event.seen_cycle < 0) return false;
-  return event.seen_cycle < seen_since_ || cycle - event.seen_cycle > cycles_max_;
+// In periods; 0 where it has none. Of more gaps than are known the oldest count as before.
+std::int64_t RequestGate::age_of(const OperatorEvent& event, std::int64_t cycle) const RT_SAFE {
+  if (event.seen_cycle < 0) return 0;
+  std::int64_t lost_by_then = 0;
+  for (const Loss& loss : losses_)
+    if (loss.cycle <= event.seen_cycle) lost_by_then = std::max(lost_by_then, loss.lost);
+  return cycle - event.seen_cycle + losses_[newest_].lost - lost_by_then;
 }
 
 }  // namespace stanok::channels

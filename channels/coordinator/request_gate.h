@@ -22,7 +22,7 @@ class RequestGate {
  public:
   RequestGate(double cycle_s, double age_max_s);
 
-  // Behind so many periods without a cycle: what was seen before them may be too old.
+  // Behind so many periods without a cycle, which count as much as cycles.
   void note_gap(std::int64_t cycle, std::int64_t periods) RT_SAFE;
   // Why an event is not taken in this cycle; nothing: it is. `named`: channel `index`, or nullptr.
   [[nodiscard]] std::optional<Verdict> refusal_of(const OperatorEvent& event, std::int64_t cycle,
@@ -31,11 +31,17 @@ class RequestGate {
   void note(const OperatorEvent& event, int index) RT_SAFE;
 
  private:
-  [[nodiscard]] bool is_too_old(const OperatorEvent& event, std::int64_t cycle) const RT_SAFE;
+  [[nodiscard]] std::int64_t age_of(const OperatorEvent& event, std::int64_t cycle) const RT_SAFE;
 
   double cycle_s_;
   std::int64_t cycles_max_;
-  std::int64_t seen_since_ = -1;  // what was seen before this cycle is too old
+  // The latest gaps: before which cycle, and all periods lost by then.
+  struct Loss {
+    std::int64_t cycle = 0;
+    std::int64_t lost = 0;
+  };
+  NumberedArray<Loss, 64> losses_{};
+  int newest_ = 0;
   NumberedArray<std::int32_t, channels_max> jogger_{};  // the session, of each channel
 };
 

@@ -259,7 +259,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     Channel& channel = parts.seats[k]->channel;
     k < inputs.arrivals.size() ? channel.see_arrivals(inputs.arrivals[k]) : channel.see_arrivals();
   }
-  parts.coordinator->note_gap(parts.cycle, inputs.gap.periods);
+  parts.coordinator->note_gap(parts.cycle, inputs.gap.periods - inputs.gap.carried);
   for (const OperatorEvent& event : inputs.events) {
     if (!parts.coordinator->admits(event, parts.cycle)) continue;  // no input: it has no effect
     parts.inputs.note({.cycle = parts.cycle, .channel = event.channel, .content = event.command});

@@ -90,6 +90,9 @@ TEST_F(RequestGateTest, CountsTimeWithoutCycles) {
   RequestGate gate(0.001, 0.5);
   gate.note_gap(2000, 400);
   EXPECT_FALSE(gate.refusal_of(event(jog(1.0), 1999), 2000, nullptr, -1));
+  EXPECT_FALSE(gate.refusal_of(event(jog(1.0), 1999), 2099, nullptr, -1));
+  EXPECT_TRUE(gate.refusal_of(event(jog(1.0), 1999), 2100, nullptr, -1));
+  EXPECT_FALSE(gate.refusal_of(event(jog(1.0), 2000), 2100, nullptr, -1));
   gate.note_gap(3000, 11'000);
   EXPECT_TRUE(gate.refusal_of(event(jog(1.0), 2999), 3000, nullptr, -1));
   EXPECT_FALSE(gate.refusal_of(event(jog(1.0), 3000), 3001, nullptr, -1));
