@@ -226,6 +226,26 @@ describe('states', () => {
     await page.context().close();
   });
 
+  test('Start in the middle asks with its approach, and begins there', async () => {
+    await stage.client.call('machine.on');
+    await stage.client.call('program.load', { program: 'square_and_circle.nc' });
+    const page = await stage.openMachine();
+    const card = page.getByRole('article', { name: '1 work' });
+    await page.getByText('Begin in the middle').click();
+    const field = page.getByLabel(/Begin at line/);
+    await field.fill('15');
+    await field.press('Enter');
+    await page.getByText('Approach', { exact: true }).waitFor();
+    assert.deepEqual(await findings(page), []);
+    await card.getByRole('button', { name: 'Start', exact: true }).click();
+    await card.getByText(/Begin at square_and_circle.nc:15\? Approach: .* mm/).waitFor();
+    assert.equal((await stage.status()).program_status, 'Stopped');
+    await card.getByRole('button', { name: 'Yes' }).click();
+    await until('it has begun', async () => (await stage.status()).begins_at === null);
+    await stage.client.call('program.reset');
+    await page.context().close();
+  });
+
   test('a view that fails leaves hold and stop where they are', async () => {
     const failing = async (page) => {
       await page.route('**/HistoryView-*.js', (route) =>
