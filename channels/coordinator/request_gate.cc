@@ -43,7 +43,7 @@ RequestGate::RequestGate(double cycle_s, double age_max_s)
 void RequestGate::note_gap(std::int64_t cycle, std::int64_t periods) RT_SAFE {
   if (periods <= 0) return;
   const std::int64_t lost = losses_[newest_].lost + periods;
-  newest_ = (newest_ + 1) % 64;
+  newest_ = (newest_ + 1) % losses_kept;
   losses_[newest_] = {cycle, lost};
 }
 
@@ -70,10 +70,10 @@ void RequestGate::note(const OperatorEvent& event, int index) RT_SAFE {
   if (index >= 0 && leased_jog(event) != nullptr) jogger_[index] = event.session;
 }
 
-// In periods; 0 where it has none. Of more gaps than are known the oldest count as before.
+// In periods; 0 where it has none. Gaps before the oldest that is known are not counted.
 std::int64_t RequestGate::age_of(const OperatorEvent& event, std::int64_t cycle) const RT_SAFE {
   if (event.seen_cycle < 0) return 0;
-  std::int64_t lost_by_then = 0;
+  std::int64_t lost_by_then = losses_[(newest_ + 1) % losses_kept].lost;
   for (const Loss& loss : losses_)
     if (loss.cycle <= event.seen_cycle) lost_by_then = std::max(lost_by_then, loss.lost);
   return cycle - event.seen_cycle + losses_[newest_].lost - lost_by_then;

@@ -40,7 +40,8 @@ class RequestGate {
     std::int64_t cycle = 0;
     std::int64_t lost = 0;
   };
-  NumberedArray<Loss, 64> losses_{};
+  static constexpr int losses_kept = 64;
+  NumberedArray<Loss, losses_kept> losses_{};
   int newest_ = 0;
   NumberedArray<std::int32_t, channels_max> jogger_{};  // the session, of each channel
 };

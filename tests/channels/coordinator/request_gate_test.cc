@@ -93,6 +93,8 @@ TEST_F(RequestGateTest, CountsTimeWithoutCycles) {
   EXPECT_FALSE(gate.refusal_of(event(jog(1.0), 1999), 2099, nullptr, -1));
   EXPECT_TRUE(gate.refusal_of(event(jog(1.0), 1999), 2100, nullptr, -1));
   EXPECT_FALSE(gate.refusal_of(event(jog(1.0), 2000), 2100, nullptr, -1));
+  for (int cycle = 2200; cycle < 2400; ++cycle) gate.note_gap(cycle, 1);
+  EXPECT_FALSE(gate.refusal_of(event(jog(1.0), 2200), 2400, nullptr, -1)) << "400 ms at most";
   gate.note_gap(3000, 11'000);
   EXPECT_TRUE(gate.refusal_of(event(jog(1.0), 2999), 3000, nullptr, -1));
   EXPECT_FALSE(gate.refusal_of(event(jog(1.0), 3000), 3001, nullptr, -1));
