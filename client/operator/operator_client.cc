@@ -108,10 +108,14 @@ Expected<json, protocol::Failure> OperatorClient::call(const std::string& method
                                                        const json& parameters, Deadline deadline) {
   if (turned_away_ && !is_stop(method))
     throw ConnectionError("the daemon ended the connection: " + *turned_away_);
-  const int id = ++last_id_;
-  send(protocol::request_line(id, method, parameters));
+  send(protocol::request_line(++last_id_, method, parameters));
+  return wait_on(method, deadline);
+}
+
+Expected<json, protocol::Failure> OperatorClient::wait_on(const std::string& method,
+                                                          Deadline deadline) {
   while (const auto message = receive(deadline)) {
-    if (message->value("id", json()) != id) {
+    if (message->value("id", json()) != last_id_) {
       deliver(*message);
     } else if (const auto error = message->find("error"); error != message->end()) {
       return Unexpected<protocol::Failure>(protocol::failure_from_json(*error));

@@ -60,6 +60,10 @@ class OperatorClient {
                                                                  const nlohmann::json& parameters,
                                                                  Deadline deadline);
 
+  // Waits on for the answer to the last request, which was not there in time.
+  [[nodiscard]] Expected<nlohmann::json, protocol::Failure> wait_on(const std::string& method,
+                                                                    Deadline deadline);
+
   // Feeds notifications to the listener until the deadline. Throws ConnectionError and Interrupted.
   void listen(Deadline deadline);
 

@@ -25,7 +25,7 @@ using protocol::Course;
 using protocol::Failure;
 
 constexpr double usual_timeout_s = 30.0;
-constexpr double stop_timeout_s = 1.0;
+constexpr auto stop_answered_within = std::chrono::seconds(1);
 
 bool waits_for_the_end(const OperatorCall& call) {
   return call.parameters.value("wait", "") == "done";
@@ -47,9 +47,8 @@ bool takes_its_time(const OperatorCall& call) {
 }
 
 OperatorClient::Deadline deadline_of(const OperatorCall& call) {
-  const double usual = is_stop(call) ? stop_timeout_s : usual_timeout_s;
-  const double seconds =
-      call.timeout_s > 0.0 ? call.timeout_s : (takes_its_time(call) ? 0.0 : usual);
+  const bool is_long = takes_its_time(call);
+  const double seconds = call.timeout_s > 0.0 ? call.timeout_s : (is_long ? 0.0 : usual_timeout_s);
   if (seconds <= 0.0) return std::nullopt;
   return OperatorClient::Clock::now() + std::chrono::duration_cast<OperatorClient::Clock::duration>(
                                             std::chrono::duration<double>(seconds));
@@ -191,14 +190,21 @@ OperatorCall with_its_age(OperatorCall call, const json& hello) {
   return call;
 }
 
-// Whatever the daemon is busy with. What is not answered may have come all the same.
+// Whatever the daemon is busy with. Where no answer comes, people are told soon, and it is waited
+// on.
 int stop(const OperatorCall& call) {
   OperatorClient client(choose_socket(call.socket), ClientPurpose::stop);
-  auto result = client.call(std::string(call.method->name), call.parameters, deadline_of(call));
-  if (!result && result.error().code == "E9016")
-    result.error().message +=
-        ": it was sent, and takes effect when the daemon gets to it; do not wait for that, use the "
-        "emergency stop of the machine";
+  const std::string method(call.method->name);
+  const auto deadline = deadline_of(call);
+  const auto soon = OperatorClient::Clock::now() + stop_answered_within;
+  auto result = client.call(method, call.parameters, soon);
+  if (!result && result.error().code == "E9016") {
+    write_message(
+        method +
+        " was sent and is not answered: do not wait for it, use the emergency stop of the "
+        "machine\n");
+    result = client.wait_on(method, deadline);
+  }
   if (!result) {
     show_failure(result.error(), call.form);
     return exit_code(result.error().kind);
