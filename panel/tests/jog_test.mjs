@@ -288,7 +288,10 @@ test('behind 85 ms each way an axis moves for as long as its button is down', as
   await other.mouse.up();
   const end = await rests();
   assert.equal(await rests(), end);
-  assert.equal(await other.getByRole('alert').locator('.refusal').count(), 0);
+  // On a busy computer the last lease may have run out on its own, as above: nothing else may be told.
+  const refusals = other.getByRole('alert').locator('.refusal');
+  const others = refusals.filter({ hasNotText: 'The jog has ended' });
+  assert.deepEqual(await others.allTextContents(), []);
   await other.context().close();
 });
 
