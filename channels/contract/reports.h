@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,8 +17,14 @@
 
 namespace stanok::channels {
 
+// How a run ended; none: it has not.
+enum class RunOutcome : std::uint8_t { none, done, stopped, alarm, estop, cut_off };
+
 // One finished (or running) program run of a channel, for reports.
 struct RunReport {
+  // The `run` of one that an earlier start of the machine has left behind: it has no cycles.
+  static constexpr std::uint32_t recalled = std::numeric_limits<std::uint32_t>::max();
+
   int channel = 0;
   std::uint64_t number = 0;  // in its channel: 1, 2, ...
   std::uint32_t run = 0;
@@ -25,8 +33,11 @@ struct RunReport {
   bool ok = false;
   bool ended = false;
   std::uint64_t blocks = 0;
+  RunOutcome end = RunOutcome::none;
   std::int64_t start_cycle = 0;
   std::int64_t end_cycle = 0;
+  double begun_at = 0.0;  // Unix time in s, as all times here; 0: not known
+  double ended_at = 0.0;
   double path_mm = 0.0;  // feed and rapid
   std::uint32_t lookahead_max_blocks = 0;
   motion::Point end_W{};  // channel axis order
@@ -38,9 +49,20 @@ struct RunReport {
 struct AlarmReport {
   int channel = 0;
   std::uint64_t number = 0;  // in its channel: 1, 2, ...
-  std::int64_t cycle = 0;
+  std::int64_t cycle = 0;    // 0: none, as it was told outside of the cycle
+  double at = 0.0;           // Unix time in s; 0: not known
+  bool is_over = false;      // of an earlier start of the machine, and no longer active
   Diagnostic diagnostic;
 };
+
+// What earlier starts of a machine have left behind, the oldest first; numbers go on behind it.
+struct Past {
+  std::vector<RunReport> runs;
+  std::vector<AlarmReport> alarms;
+};
+
+// When a cycle was, as Unix time in s. Any thread but the cycle's.
+using TimeOfCycle = std::function<double(std::int64_t cycle)>;
 
 // How many reports of a channel there have been so far.
 template <class Report>

@@ -336,6 +336,14 @@ Ring<OperatorReply>& Machine::replies() {
 Ring<OperatorReply>& Machine::stop_replies() {
   return parts_->replies.stops;
 }
+void Machine::recall(Past past, TimeOfCycle time_of) {
+  parts_->reports.recall(std::move(past), std::move(time_of));
+}
+
+std::uint64_t Machine::note(AlarmReport alarm) {
+  return parts_->reports.note(std::move(alarm));
+}
+
 std::vector<RunReport> Machine::runs() const {
   return parts_->reports.runs();
 }

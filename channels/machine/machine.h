@@ -100,6 +100,10 @@ class Machine {
   // Input records that found no place so far; any thread.
   [[nodiscard]] std::uint64_t inputs_lost() const RT_SAFE;
 
+  // Before the first cycle: runs and alarms of earlier starts, and the clock of the wall.
+  void recall(Past past, TimeOfCycle time_of);
+  // An alarm that no cycle has raised; its number. Any thread.
+  std::uint64_t note(AlarmReport alarm);
   // Reports gathered by the preparations and the caller of `collect`; any thread.
   [[nodiscard]] std::vector<RunReport> runs() const;
   [[nodiscard]] std::vector<AlarmReport> alarms() const;

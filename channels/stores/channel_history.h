@@ -1,8 +1,9 @@
 // ChannelHistory: the newest reports of each channel, in the order in which they came.
 //
-// Each gets a number, 1, 2, ... in its channel, that it keeps. Where a channel has too many its
-// oldest go, so that a channel that raises alarms without end takes none from the others. What went
-// shows in the numbers (channels/contract/reports.h). Belongs to its owner's thread or lock.
+// Each gets a number, 1, 2, ... in its channel, that it keeps, also over starts of the machine.
+// Where a channel has too many its oldest go, so that a channel that raises alarms without end
+// takes none from the others. What went shows in the numbers (channels/contract/reports.h). Belongs
+// to its owner's thread or lock.
 #pragma once
 
 #include <algorithm>
@@ -36,6 +37,14 @@ class ChannelHistory {
     ++of_channel.kept;
     reports_.push_back(std::move(report));
     return reports_.back();
+  }
+
+  // One with a number of its own, from before: numbers go on behind it. Makes no room.
+  void recall(Report report) {
+    Count& of_channel = counts_[report.channel];
+    of_channel.given = std::max(of_channel.given, report.number);
+    ++of_channel.kept;
+    reports_.push_back(std::move(report));
   }
 
   // The newest for which the condition holds; nullptr: none.

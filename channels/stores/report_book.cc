@@ -38,6 +38,31 @@ ReportBook::ReportBook(std::size_t kept_max)
       alarms_(kept_max),
       load_diagnostics_(kept_max) {}
 
+void ReportBook::recall(Past past, TimeOfCycle time_of) {
+  const std::lock_guard lock(mutex_);
+  time_of_ = std::move(time_of);
+  for (RunReport& run : past.runs) {
+    run.run = RunReport::recalled;
+    runs_.make_room(run.channel, 1);
+    runs_.recall(std::move(run));
+  }
+  for (AlarmReport& alarm : past.alarms) {
+    alarms_.make_room(alarm.channel, 1);
+    alarms_.recall(std::move(alarm));
+  }
+}
+
+std::uint64_t ReportBook::note(AlarmReport alarm) {
+  const std::lock_guard lock(mutex_);
+  drain_alarms();
+  alarms_.make_room(alarm.channel, 1);
+  return alarms_.add(std::move(alarm)).number;
+}
+
+double ReportBook::time_of(std::int64_t cycle) const {
+  return time_of_ ? time_of_(cycle) : 0.0;
+}
+
 void ReportBook::name_run(int channel, std::uint32_t run, const std::string& program,
                           std::vector<std::string> files) {
   const std::lock_guard lock(mutex_);
@@ -107,9 +132,11 @@ ReportBook::RunNames ReportBook::names_of(const RunKey& key) const {
   return named == names_.end() ? RunNames{} : named->second;
 }
 
+// The cycle tells of an alarm before the end that it leads to.
 void ReportBook::drain_runs() {
   RunRecord record;
   while (run_records_.pop(record)) {
+    drain_alarms();
     RunReport& report = report_of(record);
     report.ok = record.ok;
     report.ended = record.ended;
@@ -121,7 +148,21 @@ void ReportBook::drain_runs() {
     report.end_W = record.end_W;
     report.end_M = record.end_M;
     report.axis_count = record.axis_count;
+    if (record.ended) {
+      report.end = end_of(report);
+      report.ended_at = time_of(record.end_cycle);
+    }
   }
+}
+
+RunOutcome ReportBook::end_of(const RunReport& ended) {
+  if (ended.ok) return RunOutcome::done;
+  const AlarmReport* const alarm = alarms_.newest([&](const AlarmReport& report) {
+    return report.channel == ended.channel && report.cycle >= ended.start_cycle &&
+           report.cycle <= ended.end_cycle && report.cycle > 0;
+  });
+  if (alarm == nullptr) return RunOutcome::stopped;
+  return alarm->diagnostic.code == "A1001" ? RunOutcome::estop : RunOutcome::alarm;
 }
 
 // That of its beginning, or a new one with the names that it has so far.
@@ -131,6 +172,7 @@ RunReport& ReportBook::report_of(const RunRecord& record) {
   RunReport begun;
   begun.channel = record.channel;
   begun.run = record.run;
+  begun.begun_at = time_of(record.start_cycle);
   RunNames names = names_of({record.channel, record.run});
   begun.program = std::move(names.program);
   begun.files = std::move(names.files);
@@ -149,6 +191,7 @@ void ReportBook::drain_alarms() {
     AlarmReport report;
     report.channel = record.channel;
     report.cycle = record.cycle;
+    report.at = time_of(record.cycle);
     const auto explanation = explanations_.find({record.channel, record.tag.run});
     const std::string code(record.code.view());
     if (explanation != explanations_.end() && explanation->second.code == code) {
@@ -162,8 +205,17 @@ void ReportBook::drain_alarms() {
       report.diagnostic.place.line = static_cast<int>(record.tag.line);
     }
     alarms_.make_room(report.channel, 1);
-    alarms_.add(std::move(report));
+    blame(alarms_.add(std::move(report)));
   }
+}
+
+// The end of a run may be told before its alarm.
+void ReportBook::blame(const AlarmReport& alarm) {
+  RunReport* const run = runs_.newest([&](const RunReport& report) {
+    return report.channel == alarm.channel && report.run != RunReport::recalled;
+  });
+  if (run != nullptr && run->end == RunOutcome::stopped && alarm.cycle <= run->end_cycle)
+    run->end = end_of(*run);
 }
 
 }  // namespace stanok::channels

@@ -54,6 +54,9 @@ class ReportBook {
   // `kept_max`: of each channel and kind. The diagnostics of the latest load are kept whole.
   explicit ReportBook(std::size_t kept_max = kept_max_default);
 
+  // Before all else: what there was before, and the clock by which reports say when it was.
+  void recall(Past past, TimeOfCycle time_of);
+
   // Preparation side.
   // `files`: by the index in the tags of its blocks.
   void name_run(int channel, std::uint32_t run, const std::string& program,
@@ -70,6 +73,8 @@ class ReportBook {
   [[nodiscard]] std::uint64_t lost() const RT_SAFE { return lost_; }
 
   // Any thread but the cycle's.
+  // An alarm that no cycle has raised; its number.
+  std::uint64_t note(AlarmReport alarm);
   [[nodiscard]] std::vector<RunReport> runs();
   [[nodiscard]] std::vector<AlarmReport> alarms();
   [[nodiscard]] std::vector<AlarmReport> load_diagnostics();
@@ -86,9 +91,13 @@ class ReportBook {
   void drain_alarms();
   [[nodiscard]] RunReport& report_of(const RunRecord& record);
   [[nodiscard]] RunReport* find(int channel, std::uint32_t run);  // nullptr: it is not known
+  [[nodiscard]] double time_of(std::int64_t cycle) const;
+  [[nodiscard]] RunOutcome end_of(const RunReport& ended);
+  void blame(const AlarmReport& alarm);
   [[nodiscard]] RunNames names_of(const RunKey& key) const;
 
   std::size_t kept_max_;
+  TimeOfCycle time_of_;
   std::mutex mutex_;
   Ring<RunRecord> run_records_;
   Ring<AlarmRecord> alarm_records_;

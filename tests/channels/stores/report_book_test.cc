@@ -69,6 +69,71 @@ TEST(ReportBook, KeepsTheNewestOfEachChannelAndKnowsHowManyWent) {
   EXPECT_EQ(forgotten(alarms, 1), runs - kept);
 }
 
+RunRecord ended_run(int channel, std::uint32_t run, std::int64_t start, std::int64_t end) {
+  RunRecord record = run_of(channel, run);
+  record.ended = true;
+  record.start_cycle = start;
+  record.end_cycle = end;
+  return record;
+}
+
+AlarmRecord alarm_at(std::int64_t cycle, const char* code) {
+  AlarmRecord record = alarm_of(1, 1);
+  record.cycle = cycle;
+  record.code = FixedText<8>(code);
+  return record;
+}
+
+// What ended a run, whichever of the two is told first.
+TEST(ReportBook, SaysHowARunEnded) {
+  ReportBook reports;
+  reports.put(alarm_at(5, "A3001"));
+  reports.put(ended_run(1, 1, 10, 20));
+  reports.put(alarm_at(25, "E5001"));
+  reports.put(ended_run(1, 2, 20, 30));
+  reports.put(ended_run(1, 3, 40, 50));
+  EXPECT_EQ(reports.runs().back().end, RunOutcome::stopped);
+  reports.put(alarm_at(50, "A1001"));
+  static_cast<void>(reports.alarms());
+  RunRecord well = ended_run(1, 4, 60, 70);
+  well.ok = true;
+  reports.put(well);
+  std::vector<RunOutcome> ends;
+  for (const RunReport& run : reports.runs()) ends.push_back(run.end);
+  EXPECT_THAT(ends, ElementsAre(RunOutcome::stopped, RunOutcome::alarm, RunOutcome::estop,
+                                RunOutcome::done));
+}
+
+// Numbers go on behind those of the start before, and no run of now is taken for one of then.
+TEST(ReportBook, GoesOnBehindWhatThereWasBefore) {
+  ReportBook reports(3);
+  Past past;
+  RunReport before;
+  before.channel = 1;
+  before.number = 7;
+  before.run = 1;
+  before.program = "before.nc";
+  past.runs = {before};
+  AlarmReport alarm;
+  alarm.channel = 1;
+  alarm.number = 4;
+  past.alarms = {alarm};
+  reports.recall(past, [](std::int64_t cycle) { return 1e9 + static_cast<double>(cycle); });
+  reports.name_run(1, 1, "now.nc", {});
+  reports.put(ended_run(1, 1, 10, 20));
+  const std::vector<RunReport> runs = reports.runs();
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs.front().program, "before.nc");
+  EXPECT_EQ(runs.back().program, "now.nc");
+  EXPECT_EQ(runs.back().number, 8U);
+  EXPECT_EQ(runs.back().begun_at, 1e9 + 10);
+  EXPECT_EQ(runs.back().ended_at, 1e9 + 20);
+  EXPECT_EQ(reports.note(alarm), 5U);
+  reports.put(alarm_at(30, "A3001"));
+  EXPECT_EQ(reports.alarms().back().number, 6U);
+  EXPECT_EQ(reports.alarms().back().at, 1e9 + 30);
+}
+
 TEST(ReportBook, ARunThatIsKeptIsNamedAndEndedWhereItStands) {
   ReportBook reports(2);
   reports.put(run_of(1, 1));
