@@ -16,7 +16,10 @@ using nlohmann::json;
 using protocol::Failure;
 using protocol::FailureKind;
 
-constexpr DurableKind queue_kind{.name = "queue", .version = 1};
+constexpr DurableKind queue_kind{.name = "queue", .version = 2};
+// Ids that one daemon may give without a word to the disk, and when there are more of them again.
+constexpr std::uint64_t ids_reserved = 100;
+constexpr std::uint64_t ids_left_min = 50;
 
 CommandResult refused(std::string why, int channel) {
   return Unexpected<Failure>(Failure{FailureKind::refused, "E9022", std::move(why), channel, {}});
@@ -59,29 +62,61 @@ ProgramQueue::ProgramQueue(RunningMachine& machine, CommandDesk& desk,
                            std::filesystem::path file)
     : machine_(machine), desk_(desk), control_(control), notes_(notes), file_(std::move(file)) {
   for (const auto& channel : machine_.file().machine.channels) lines_[channel.id];
+  read();
+  last_id_ = reserved_id_;
+  reserve_ids();
+  if (const auto fault = write_durably(file_, queue_kind, text()))
+    spdlog::warn("the queues of programs are not kept: {}", *fault);
+  for (const auto& [id, line] : lines_) changed(id);
+}
+
+void ProgramQueue::read() {
   const auto kept = read_durably(file_, queue_kind);
   if (!kept) spdlog::warn("the queues of programs are empty: {}", kept.error());
   if (!kept || !*kept) return;
   if (!(*kept)->warning.empty()) spdlog::warn("{}", (*kept)->warning);
-  take_over((*kept)->text);
+  (*kept)->version == 1 ? take_over_version_1((*kept)->text) : take_over((*kept)->text);
 }
 
-// A line for each program: the channel, a blank, the name.
+// First the id up to which all may have been given. Then a line for each program: the channel, its
+// id, its name, between blanks.
 void ProgramQueue::take_over(const std::string& text) {
   std::istringstream lines(text);
+  lines >> reserved_id_;
   int channel = 0;
-  for (std::string program; lines >> channel && std::getline(lines >> std::ws, program);) {
-    const auto line = lines_.find(channel);
-    if (line != lines_.end()) line->second.entries.push_back({++last_id_, program});
+  Entry entry;
+  while (lines >> channel >> entry.id && std::getline(lines >> std::ws, entry.program))
+    append(channel, entry);
+}
+
+// The channel and the name.
+void ProgramQueue::take_over_version_1(const std::string& text) {
+  std::istringstream lines(text);
+  int channel = 0;
+  Entry entry;
+  while (lines >> channel && std::getline(lines >> std::ws, entry.program)) {
+    entry.id = ++reserved_id_;
+    append(channel, entry);
   }
-  for (const auto& [id, line] : lines_) changed(id);
+}
+
+void ProgramQueue::append(int channel, Entry entry) {
+  const auto line = lines_.find(channel);
+  if (line == lines_.end()) return;
+  reserved_id_ = std::max(reserved_id_, entry.id);
+  line->second.entries.push_back(std::move(entry));
+}
+
+// Well before they are given, so that the previous copy of the file has them, too.
+void ProgramQueue::reserve_ids() {
+  if (last_id_ + ids_left_min > reserved_id_) reserved_id_ = last_id_ + ids_reserved;
 }
 
 std::string ProgramQueue::text() const {
-  std::string text;
+  std::string text = std::to_string(reserved_id_) + "\n";
   for (const auto& [channel, line] : lines_)
     for (const Entry& entry : line.entries)
-      text += std::to_string(channel) + " " + entry.program + "\n";
+      text += std::to_string(channel) + " " + std::to_string(entry.id) + " " + entry.program + "\n";
   return text;
 }
 
@@ -282,6 +317,7 @@ void ProgramQueue::withdraw(const Change& change) {
 void ProgramQueue::write() {
   is_to_be_written_ = false;
   is_being_written_ = true;
+  reserve_ids();
   files_.submit(
       0,
       [file = file_, text = text()](const std::stop_token&) -> CommandResult {

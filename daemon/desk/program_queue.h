@@ -5,7 +5,8 @@
 // at first stops the queue: an alarm of any channel, a stop, a reset, an emergency stop, another
 // program, somebody else who has taken the channel. What is under way goes on then; nothing begins
 // behind it. A feed hold is none of these when an operator lets the program go on. Programs that
-// wait are kept on the disk; after a start of the daemon every queue stands still. Belongs to the
+// wait are kept on the disk with their ids, and no id is ever given twice; after a start of the
+// daemon every queue stands still. Belongs to the
 // operator server's thread; `tick` wants to be called often.
 #pragma once
 
@@ -67,7 +68,11 @@ class ProgramQueue {
     std::uint64_t version = 0;  // another one with every change
   };
 
+  void read();
   void take_over(const std::string& text);
+  void take_over_version_1(const std::string& text);
+  void append(int channel, Entry entry);
+  void reserve_ids();
   [[nodiscard]] std::string text() const;
   [[nodiscard]] nlohmann::json shown(int channel, const Line& line) const;
   void changed(int channel);
@@ -94,6 +99,7 @@ class ProgramQueue {
   std::filesystem::path file_;
   std::map<int, Line> lines_;  // by channel, every one
   std::uint64_t last_id_ = 0;
+  std::uint64_t reserved_id_ = 0;  // on the disk: no later daemon gives one up to it
   bool is_to_be_written_ = false;
   bool is_being_written_ = false;
   std::vector<Change> waiting_;  // for the disk

@@ -22,42 +22,19 @@ namespace fs = std::filesystem;
 constexpr ::mode_t file_mode = 0640;
 constexpr std::string_view mark = "# stanok";
 
-std::string checksum(std::string_view text) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx",
-                static_cast<unsigned long long>(recording::text_hash(text)));
-  return digits;
-}
-
 std::string with_heading(const DurableKind& kind, std::string_view text) {
   std::string whole(mark);
   whole.append(" ").append(kind.name).append(" ").append(std::to_string(kind.version));
-  whole.append(" checksum ").append(checksum(text)).append("\n").append(text);
+  whole.append(" checksum ").append(text_checksum(text)).append("\n").append(text);
   return whole;
-}
-
-// Nothing, or the error.
-int write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(file, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return errno;
-    if (count == 0) return ENOSPC;
-    bytes.remove_prefix(checked_size(count));
-  }
-  return ::fsync(file) == 0 ? 0 : errno;
 }
 
 int write_new(const fs::path& file, std::string_view bytes) {
   const FileDescriptor made(
       ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, file_mode));
-  return made.number() < 0 ? errno : write_all(made.number(), bytes);
-}
-
-int sync_folder(const fs::path& folder) {
-  const FileDescriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.number() < 0) return errno;
-  return ::fsync(opened.number()) == 0 ? 0 : errno;
+  if (made.number() < 0) return errno;
+  if (const int error = write_bytes(made.number(), bytes); error != 0) return error;
+  return ::fsync(made.number()) == 0 ? 0 : errno;
 }
 
 // A link first: the file itself is never away.
@@ -73,6 +50,7 @@ struct Copy {
   bool exists = false;
   bool is_good = false;
   bool is_newer = false;
+  int version = 0;
   std::string text;
   std::string fault;
 };
@@ -96,11 +74,11 @@ Copy read_copy(const fs::path& file, const DurableKind& kind) {
   std::string name;
   std::string word;
   std::string sum;
-  int version = 0;
+  int& version = copy.version;
   words >> hash >> program >> name >> version >> word >> sum;
   const bool is_ours = hash + " " + program == mark && name == kind.name && word == "checksum";
   copy.is_newer = is_ours && version > kind.version;
-  copy.is_good = is_ours && version >= 1 && !copy.is_newer && sum == checksum(copy.text);
+  copy.is_good = is_ours && version >= 1 && !copy.is_newer && sum == text_checksum(copy.text);
   if (copy.is_newer) {
     copy.fault = "is of version " + std::to_string(version) + ", newer than this stanok knows (" +
                  std::to_string(kind.version) + ")";
@@ -113,6 +91,48 @@ Copy read_copy(const fs::path& file, const DurableKind& kind) {
 }
 
 }  // namespace
+
+std::string text_checksum(std::string_view text) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx",
+                static_cast<unsigned long long>(recording::text_hash(text)));
+  return digits;
+}
+
+// Each new one is an entry of the one above it.
+int make_folder_durably(const fs::path& folder) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(folder, error).lexically_normal();
+  if (error) return error.value();
+  fs::path made;
+  for (const fs::path& part : whole) {
+    const fs::path above = made;
+    made /= part;
+    if (!fs::create_directory(made, error) || part.empty()) {
+      if (error) return error.value();
+      continue;
+    }
+    if (const int fault = sync_folder(above); fault != 0) return fault;
+  }
+  return 0;
+}
+
+int write_bytes(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    if (count == 0) return ENOSPC;
+    bytes.remove_prefix(checked_size(count));
+  }
+  return 0;
+}
+
+int sync_folder(const fs::path& folder) {
+  const FileDescriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.number() < 0) return errno;
+  return ::fsync(opened.number()) == 0 ? 0 : errno;
+}
 
 fs::path previous_copy(const fs::path& file) {
   return file.string() + ".previous";
@@ -138,7 +158,7 @@ Expected<std::optional<DurableText>, std::string> read_durably(const fs::path& f
                                                                const DurableKind& kind) {
   using Result = Expected<std::optional<DurableText>, std::string>;
   Copy copy = read_copy(file, kind);
-  if (copy.is_good) return Result(DurableText{std::move(copy.text), ""});
+  if (copy.is_good) return Result(DurableText{std::move(copy.text), copy.version, ""});
   if (copy.is_newer) {
     return Unexpected<std::string>(file.string() + " " + copy.fault +
                                    "; start the newer stanok, or move the file away");
@@ -146,7 +166,7 @@ Expected<std::optional<DurableText>, std::string> read_durably(const fs::path& f
   Copy previous = read_copy(previous_copy(file), kind);
   if (previous.is_good) {
     const std::string what = copy.exists ? " " + copy.fault : " is missing";
-    return Result(DurableText{std::move(previous.text),
+    return Result(DurableText{std::move(previous.text), previous.version,
                               file.string() + what + "; its previous copy is used"});
   }
   if (!copy.exists && !previous.exists) return Result(std::nullopt);

@@ -26,6 +26,7 @@ struct DurableKind {
 
 struct DurableText {
   std::string text;
+  int version = 0;      // of the kind; no later one
   std::string warning;  // not empty: the file is damaged, this is its previous copy
 };
 
@@ -33,6 +34,18 @@ struct DurableText {
 // what to do about it.
 [[nodiscard]] Expected<std::optional<DurableText>, std::string> read_durably(
     const std::filesystem::path& file, const DurableKind& kind);
+
+// Every byte. 0, or the error.
+[[nodiscard]] int write_bytes(int file, std::string_view bytes);
+
+// What a new file in it needs to be found after a power failure. 0, or the error.
+[[nodiscard]] int sync_folder(const std::filesystem::path& folder);
+
+// A folder, and those above it, that is there after a power failure. 0, or the error.
+[[nodiscard]] int make_folder_durably(const std::filesystem::path& folder);
+
+// 16 digits.
+[[nodiscard]] std::string text_checksum(std::string_view text);
 
 // "FILE.previous"
 [[nodiscard]] std::filesystem::path previous_copy(const std::filesystem::path& file);

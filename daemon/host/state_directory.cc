@@ -8,10 +8,10 @@
 #include <array>
 #include <cerrno>
 #include <string>
-#include <system_error>
 
 #include "base/place.h"
 #include "base/system_error.h"
+#include "daemon/host/durable_file.h"
 
 namespace stanok::daemon {
 namespace {
@@ -30,10 +30,9 @@ std::string holder_of(int lock) {
 }  // namespace
 
 StateDirectory::StateDirectory(std::filesystem::path path) : path_(std::move(path)) {
-  std::error_code error;
-  std::filesystem::create_directories(path_, error);
-  if (error)
-    throw StateDirectoryError("state directory " + path_.string() + ": " + error.message());
+  if (const int error = make_folder_durably(path_); error != 0)
+    throw StateDirectoryError("state directory " + path_.string() + ": " +
+                              system_error_text(error));
   const std::filesystem::path file = path_ / "stanokd.lock";
   lock_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, lock_mode);
   if (lock_ < 0) throw StateDirectoryError(file.string() + ": " + system_error_text(errno));
