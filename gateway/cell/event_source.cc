@@ -71,7 +71,10 @@ void EventSource::meet(const DaemonStart& start) {
   mark_["process"] = start.process;
   mark_["started_s"] = start.started_s;
   mark_["uncertain_s"] = start.uncertain_s;
-  mark_["channels"] = json::object();
+  const bool goes_on = !start.history.empty() && mark_.value("history", "") == start.history;
+  mark_["history"] = start.history;
+  if (!goes_on) mark_["channels"] = json::object();
+  for (json& counts : mark_["channels"]) counts["measurements"] = 0;
 }
 
 void EventSource::set_clock(double zero_s, double cycle_s) {
@@ -105,14 +108,14 @@ void EventSource::append_run(const json& run, const std::string& version, json& 
     counts["begun"] = number_in(run);
     counts["version"] = version;
     content["version"] = version;
-    events.push_back(event(event::run_begun, time_of(run.value("begun_cycle", json())), content));
+    events.push_back(event(event::run_begun, time_of(run, "begun_at", "begun_cycle"), content));
   }
   if (!run.value("ended", false) || number_in(run) <= counts["ended"]) return;
   counts["ended"] = number_in(run);
-  content.update(members(run, {"time_s", "path_mm", "blocks", "ok"}));
+  content.update(members(run, {"time_s", "path_mm", "blocks", "ok", "end"}));
   content["version"] = counts.value("version", "");
-  content["begun_s"] = time_of(run.value("begun_cycle", json()));
-  const double ended_s = time_of(run.value("ended_cycle", json()));
+  content["begun_s"] = time_of(run, "begun_at", "begun_cycle");
+  const double ended_s = time_of(run, "ended_at", "ended_cycle");
   content["ended_s"] = ended_s;
   const std::string program = run.value("program", "");
   json& parts = mark["parts"][program];
@@ -165,7 +168,7 @@ void EventSource::take_rows(const json& rows, const RowKind& kind,
     if (number_in(row) <= known) continue;
     append_forgotten(row, known, kind.counted, events);
     known = number_in(row);
-    events.push_back(event(kind.event, time_of(row.value("cycle", json())), members(row, names)));
+    events.push_back(event(kind.event, time_of(row, "at", "cycle"), members(row, names)));
   }
   if (!events.empty()) write(events, std::move(mark));
 }
@@ -174,7 +177,10 @@ void EventSource::add_tool_time(int tool, double seconds) {
   tool_time_s_[tool] += seconds;
 }
 
-double EventSource::time_of(const json& cycle) const {
+double EventSource::time_of(const json& row, const char* at, const char* of_cycle) const {
+  const json told = row.value(at, json());
+  if (told.is_number()) return told.get<double>();
+  const json cycle = row.value(of_cycle, json());
   return cycle.is_number() ? zero_s_ + cycle.get<double>() * cycle_s_ : wall_clock_s();
 }
 

@@ -1,9 +1,10 @@
 // EventSource: events of one machine out of what its daemon remembers, each once.
 //
-// The daemon keeps runs, alarms and measurements with numbers that count up in each channel since
-// it started. The mark in the outbox says up to which number they have been read, of which daemon
-// (boot of the computer, process, start), so that neither a gateway nor a disk that was away loses
-// or doubles any: what could not be written is found again. Times are those of the cycles, by the
+// The daemon keeps runs and alarms with numbers that count up in each channel as long as its
+// journal is the same, measurements since it started. The mark in the outbox says up to which
+// number they have been read, of which journal and which daemon (boot of the computer, process,
+// start), so that neither a gateway nor a disk that was away loses or doubles any: what could not
+// be written is found again. Times are those that the daemon tells, else those of the cycles by the
 // clock of the gateway.
 #pragma once
 
@@ -24,6 +25,7 @@ struct DaemonStart {
   int process = 0;
   double started_s = 0.0;    // since the boot; not earlier
   double uncertain_s = 0.0;  // and not later than so long after that
+  std::string history{};     // id of its journal; empty: it has none
 };
 
 // Of the daemon that was asked at `asked` and said until now that it runs as `process` since
@@ -35,7 +37,8 @@ class EventSource {
  public:
   EventSource(std::string machine, Outbox& outbox);
 
-  // A daemon has been reached; another one than before counts from 1 again.
+  // A daemon has been reached; another one than before counts from 1 again what is not in a journal
+  // that it goes on with.
   void meet(const DaemonStart& start);
   // Cycle 0 was then, and one lasts so long.
   void set_clock(double zero_s, double cycle_s);
@@ -56,7 +59,8 @@ class EventSource {
   [[nodiscard]] nlohmann::json tools() const { return mark_["tools"]; }
 
  private:
-  [[nodiscard]] double time_of(const nlohmann::json& cycle) const;
+  // Of a row: its time, else that of its cycle, by the names of these members.
+  [[nodiscard]] double time_of(const nlohmann::json& row, const char* at, const char* cycle) const;
   [[nodiscard]] Event event(std::string_view kind, double time_s, nlohmann::json content) const;
   void append_run(const nlohmann::json& run, const std::string& version, nlohmann::json& mark,
                   std::vector<Event>& events) const;

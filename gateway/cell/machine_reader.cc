@@ -103,7 +103,10 @@ asio::awaitable<void> MachineReader::greet() {
   static_cast<void>(co_await ask("session.role", std::move(role)));
   const auto asked = Clock::now();
   const json info = co_await ask("system.info", json::object());
-  events_.meet(daemon_start(info.value("pid", 0), info.value("uptime_s", 0.0), asked));
+  DaemonStart start = daemon_start(info.value("pid", 0), info.value("uptime_s", 0.0), asked);
+  const json history = info.value("history", json());
+  if (history.is_string()) start.history = history.get<std::string>();
+  events_.meet(start);
   json subscription{{"topics", {"machine", "channels", "events"}}, {"rate_hz", rate_hz_}};
   static_cast<void>(co_await ask("subscribe", std::move(subscription)));
 }

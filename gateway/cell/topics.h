@@ -53,7 +53,7 @@ inline constexpr std::array topics{
           "tools: seconds in running programs since the outbox began"},
     Topic{event::run_begun, TopicKind::event, "once", "channel, number, program, version"},
     Topic{event::run_ended, TopicKind::event, "once",
-          "channel, number, program, version, begun_s, ended_s, time_s, path_mm, blocks, ok, "
+          "channel, number, program, version, begun_s, ended_s, time_s, path_mm, blocks, ok, end, "
           "parts"},
     Topic{event::alarm, TopicKind::event, "once",
           "channel, number, code, text, file, line, reaction"},

@@ -28,6 +28,14 @@ json runs(std::initializer_list<json> list) {
   return {{"runs", json(list)}};
 }
 
+json measurement(int number) {
+  return {{"channel", 1}, {"number", number}, {"cycle", 10}, {"text", "measured bore size=14.05"}};
+}
+
+json measurements(std::initializer_list<json> list) {
+  return {{"measurements", json(list)}};
+}
+
 class TheSource : public ::testing::Test {
  protected:
   TheSource() { meet(source_); }
@@ -94,6 +102,30 @@ TEST_F(TheSource, CountsAnewForAnotherDaemon) {
   }
 }
 
+// Numbers of runs go on with the journal; a run that was cut off ends once, when it was.
+TEST_F(TheSource, GoesOnWithTheJournalOfAnotherDaemon) {
+  source_.meet({.boot = "b", .process = 8, .started_s = 100.0, .history = "j"});
+  source_.take_runs(runs({run(1, "good"), run(2, "runs")}), {});
+  source_.take_measurements(measurements({measurement(1)}));
+  static_cast<void>(seen());
+  source_.meet({.boot = "b", .process = 9, .started_s = 200.0, .history = "j"});
+  json cut = run(2, "bad");
+  cut["begun_cycle"] = cut["ended_cycle"] = nullptr;
+  cut["begun_at"] = 5002.0;
+  cut["ended_at"] = 5002.75;
+  cut["end"] = "cut_off";
+  source_.take_runs(runs({run(1, "good"), cut, run(3, "runs")}), {});
+  source_.take_measurements(measurements({measurement(1)}));
+  const auto ended = outbox_.behind(seen_, 1).at(0).event;
+  EXPECT_EQ(ended.time_s, 5002.75);
+  EXPECT_EQ(ended.content["end"], "cut_off");
+  EXPECT_EQ(ended.content["begun_s"], 5002.0);
+  EXPECT_EQ(seen(), "run_ended 2;run_begun 3;measurement 1;");
+  source_.meet({.boot = "b", .process = 10, .started_s = 300.0, .history = "another"});
+  source_.take_runs(runs({run(1, "good")}), {});
+  EXPECT_EQ(seen(), "run_begun 1;run_ended 1;") << "its journal was removed";
+}
+
 // A busy computer: question or answer were long on their way, now or when it was met first.
 TEST_F(TheSource, KnowsADaemonAgainWhoseAnswerWasLate) {
   source_.take_runs(runs({run(1, "good")}), {});
@@ -128,14 +160,6 @@ TEST_F(TheSource, CountsTheTimeOfToolsWithRuns) {
   source_.add_tool_time(3, 1.5);
   source_.take_runs(runs({run(2, "good")}), {});
   EXPECT_EQ(source_.tools(), json({{"3", 3.5}}));
-}
-
-json measurement(int number) {
-  return {{"channel", 1}, {"number", number}, {"cycle", 10}, {"text", "measured bore size=14.05"}};
-}
-
-json measurements(std::initializer_list<json> list) {
-  return {{"measurements", json(list)}};
 }
 
 TEST_F(TheSource, TellsMeasurementsOnceAlsoThoseWhileItWasAway) {
