@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "daemon/desk/unix_time.h"
+#include "daemon/host/unix_time.h"
 #include "daemon/report/search_report.h"
 
 namespace stanok::daemon {

@@ -7,7 +7,7 @@
 
 #include "daemon/desk/operator_command.h"
 #include "daemon/desk/table_loading.h"
-#include "daemon/desk/unix_time.h"
+#include "daemon/host/unix_time.h"
 #include "daemon/report/drive_report.h"
 #include "daemon/report/inventory.h"
 #include "daemon/report/position_report.h"

@@ -7,7 +7,7 @@
 #include "daemon/desk/as_it_stands.h"
 #include "daemon/desk/part_report.h"
 #include "daemon/desk/path_pages.h"
-#include "daemon/desk/unix_time.h"
+#include "daemon/host/unix_time.h"
 #include "daemon/report/inventory.h"
 #include "daemon/report/status_report.h"
 #include "protocol/diagnostic_json.h"
