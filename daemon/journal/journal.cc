@@ -1,0 +1,141 @@
+#include "daemon/journal/journal.h"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <random>
+#include <utility>
+
+#include "daemon/host/unix_time.h"
+#include "protocol/version.h"
+
+namespace stanok::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr auto period = std::chrono::milliseconds(50);
+constexpr std::int64_t bytes_max = 8'000'000;
+// What a disk that takes nothing may cost in memory.
+constexpr std::size_t unwritten_max = 20'000;
+
+std::string new_id() {
+  std::random_device chance;
+  std::string id;
+  for (int k = 0; k < 4; ++k) id += fmt::format("{:08x}", chance());
+  return id;
+}
+
+}  // namespace
+
+Journal::Journal(const fs::path& directory)
+    : file_(directory / "journal.jsonl"), path_(directory / "journal.jsonl") {
+  read();
+  id_ = contents_.id();
+  if (!id_.empty()) return;
+  id_ = new_id();
+  added_.push_back({{"kind", journal_kind::journal}, {"id", id_}});
+}
+
+void Journal::read() {
+  JournalFile::Contents told = file_.read();
+  if (!told.fault.empty()) {
+    const fs::path aside = path_.string() + ".damaged";
+    std::error_code error;
+    fs::rename(path_, aside, error);
+    spdlog::error("the journal cannot be read: {}; {}", told.fault,
+                  error ? error.message() : "it was put aside as " + aside.string());
+    return;
+  }
+  if (told.damaged > 0)
+    spdlog::warn("{} lines of the journal are damaged and left out", told.damaged);
+  for (const json& record : told.records) contents_.take(record);
+}
+
+void Journal::begin(Watch watch, OnFault on_fault) {
+  watch_ = std::move(watch);
+  on_fault_ = std::move(on_fault);
+  add({{"kind", journal_kind::start}, {"version", protocol::version}});
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+Journal::~Journal() {
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  thread_.join();
+  write();
+  add({{"kind", journal_kind::end}});
+  write();
+}
+
+void Journal::add(json record) {
+  if (!record.contains("at")) record["at"] = unix_time_s();
+  const std::lock_guard lock(mutex_);
+  added_.push_back(std::move(record));
+}
+
+std::vector<json> Journal::actions() const {
+  const std::lock_guard lock(mutex_);
+  return {contents_.actions().begin(), contents_.actions().end()};
+}
+
+std::optional<std::string> Journal::fault() const {
+  const std::lock_guard lock(mutex_);
+  return fault_;
+}
+
+void Journal::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    write();
+    std::unique_lock lock(mutex_);
+    wake_.wait_for(lock, stop, period, [] { return false; });
+  }
+}
+
+// Memory may end, too.
+void Journal::write() {
+  std::optional<std::string> fault;
+  try {
+    std::vector<json> seen = watch_();
+    {
+      const std::lock_guard lock(mutex_);
+      seen.insert(seen.begin(), added_.begin(), added_.end());
+      added_.clear();
+      for (const json& record : seen) contents_.take(record);
+    }
+    unwritten_.insert(unwritten_.end(), seen.begin(), seen.end());
+    fault = file_.append(unwritten_);
+    if (!fault) unwritten_.clear();
+    // What is replaced by what is remembered lacks nothing of it.
+    const bool is_long = file_.bytes() > bytes_max || unwritten_.size() > unwritten_max;
+    if (is_long) {
+      unwritten_.clear();
+      fault = file_.replace(contents_.records());
+    }
+  } catch (const std::exception& thrown) {
+    fault = thrown.what();
+  }
+  note_outcome(fault);
+}
+
+void Journal::note_outcome(const std::optional<std::string>& fault) {
+  bool is_new = false;
+  bool is_over = false;
+  {
+    const std::lock_guard lock(mutex_);
+    is_new = fault && !fault_;
+    is_over = !fault && fault_;
+    fault_ = fault;
+  }
+  if (is_new) {
+    spdlog::error("the journal cannot be kept: {}; tried again", *fault);
+    try {
+      on_fault_(*fault);
+    } catch (const std::exception&) {  // no memory to say it with; the log has it
+    }
+  }
+  if (is_over) spdlog::info("the journal is kept again");
+}
+
+}  // namespace stanok::daemon
