@@ -119,8 +119,7 @@ void ProgramDesk::list(int session, Answer answer) {
       [this, answer = std::move(answer)](const CommandResult& outcome) {
         if (!outcome) return answer(outcome);
         json list = *outcome;
-        times_.add_to(list["programs"], machine_.runs(), machine_.newest_output().cycle,
-                      unix_time_s(), machine_.file().machine.cycle_us * 1e-6);
+        times_.add_to(list["programs"], machine_.runs());
         answer(list);
       });
 }

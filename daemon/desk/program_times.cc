@@ -13,19 +13,12 @@ void ProgramTimes::note_check(const std::string& program, Verdict verdict, doubl
       std::ranges::min_element(checks_, {}, [](const auto& one) { return one.second.time_s; }));
 }
 
-void ProgramTimes::add_to(json& programs, const std::vector<channels::RunReport>& runs,
-                          std::int64_t now, double now_s, double cycle_s) {
-  std::map<std::int64_t, double> begun_s;
+void ProgramTimes::add_to(json& programs, const std::vector<channels::RunReport>& runs) const {
   std::map<std::string, const channels::RunReport*> newest;
   for (const channels::RunReport& run : runs) {
     const channels::RunReport*& known = newest[run.program];
-    if (known == nullptr || known->start_cycle < run.start_cycle) known = &run;
-    const auto before = begun_s_.find(run.start_cycle);
-    begun_s[run.start_cycle] = before != begun_s_.end()
-                                   ? before->second
-                                   : now_s - static_cast<double>(now - run.start_cycle) * cycle_s;
+    if (known == nullptr || known->begun_at < run.begun_at) known = &run;
   }
-  begun_s_.swap(begun_s);
   for (json& row : programs) {
     const auto name = row["name"].get<std::string>();
     row["checked_s"] = row["check_ok"] = row["ran_s"] = row["run_ok"] = nullptr;
@@ -34,7 +27,7 @@ void ProgramTimes::add_to(json& programs, const std::vector<channels::RunReport>
       row["check_ok"] = check->second.verdict == Verdict::faultless;
     }
     if (const auto run = newest.find(name); run != newest.end()) {
-      row["ran_s"] = begun_s_.at(run->second->start_cycle);
+      row["ran_s"] = run->second->begun_at;
       if (run->second->ended) row["run_ok"] = run->second->ok;
     }
   }

@@ -21,18 +21,15 @@ class ProgramTimes {
   // `time_s`: of Unix, as all times here.
   void note_check(const std::string& program, Verdict verdict, double time_s);
 
-  // Adds what is known to the rows of program.list; null: nothing is known. `now_s` is the time of
-  // the cycle `now`. A run keeps the time that was told of it first.
-  void add_to(nlohmann::json& programs, const std::vector<channels::RunReport>& runs,
-              std::int64_t now, double now_s, double cycle_s);
+  // Adds what is known to the rows of program.list; null: nothing is known.
+  void add_to(nlohmann::json& programs, const std::vector<channels::RunReport>& runs) const;
 
  private:
   struct Check {
     double time_s = 0.0;
     Verdict verdict = Verdict::faulty;
   };
-  std::map<std::string, Check> checks_;     // by program
-  std::map<std::int64_t, double> begun_s_;  // by the cycle in which a run began
+  std::map<std::string, Check> checks_;  // by program
 };
 
 }  // namespace stanok::daemon

@@ -57,7 +57,7 @@ void TableWatch::note(const std::string& by, double time_s) {
 std::string TableWatch::newest_program() const {
   const std::vector<channels::RunReport> runs = machine_.runs();
   const auto newest = std::ranges::max_element(
-      runs, {}, [](const channels::RunReport& run) { return run.start_cycle; });
+      runs, {}, [](const channels::RunReport& run) { return run.begun_at; });
   return newest == runs.end() ? "" : newest->program;
 }
 
