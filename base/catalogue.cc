@@ -525,6 +525,11 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"W927", "a probe meets the part at rapid traverse", Reaction::warning,
      "go there by a probing move (G38.3), or around the part",
      "correct the program and simulate it again"},
+    {"W940", "what is to be kept cannot be written to the disk", Reaction::warning,
+     "check rights and space of the folder that the text names", "nothing: it is tried again"},
+    {"W941", "the control ended in the middle of a program", Reaction::warning,
+     "look at tool and workpiece; find out whether the power failed or the daemon was killed",
+     "home the axes that want it; start from the line that the text names, or from the beginning"},
 });
 
 constexpr auto rows = [] {

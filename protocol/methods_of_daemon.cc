@@ -70,7 +70,7 @@ constexpr auto daemon_rows = std::to_array<Method>({
     {.name = "system.info",
      .help = "version, build, process, files, clients",
      .result = R"({"server":"string","version":"string","api":"integer","build":"string",
-      "pid":"integer","uptime_s":"number"})"},
+      "pid":"integer","uptime_s":"number","history":"string?"})"},
     {.name = "system.shutdown",
      .role = integrator,
      .effect = Effect::changes,

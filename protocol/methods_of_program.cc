@@ -158,10 +158,11 @@ constexpr auto program_rows = std::to_array<Method>({
       "complete":"boolean"})"},
     {.name = "program.history",
      .parameters = of_channel,
-     .help = "program runs since the daemon started, with blocks and times, the newest 500 of each "
-             "channel",
+     .help = "program runs, with times and how they ended, the newest 500 of each channel; cycles "
+             "are those of this start of the daemon",
      .result = R"({"runs":[{"channel":"integer","number":"integer","program":"string",
-      "begun_cycle":"integer","ended_cycle":"integer?","blocks":"integer","time_s":"number","path_mm":"number",
+      "begun_cycle":"integer?","ended_cycle":"integer?","begun_at":"number?","ended_at":"number?","end":"string?",
+      "blocks":"integer","time_s":"number","path_mm":"number",
       "ended":"boolean","ok":"boolean"}],"forgotten?":"integer"})"},
     {.name = "program.search",
      .role = machine_operator,

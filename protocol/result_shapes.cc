@@ -16,7 +16,7 @@ using nlohmann::json;
 // What "$name" stands for.
 constexpr auto named_shapes = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"alarm",
-     R"({"channel":"integer","number":"integer","cycle":"integer","code":"string","text":"string",
+     R"({"channel":"integer","number":"integer","cycle":"integer","at":"number?","code":"string","text":"string",
       "file":"string?","line":"integer?","column":"integer?","reaction":"integer?",
       "remedy":"string?","acknowledged?":"boolean"})"},
     // Accepted, or, when the end is waited for, how the run ended.

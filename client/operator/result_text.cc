@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <vector>
 
 #include "client/operator/channel_text.h"
@@ -30,13 +31,14 @@ struct ListView {
 const std::vector<ListView>& list_views() {
   static const std::vector<ListView> views = {
       {"machine.status", "channels", {"id", "name", "state", "program_status"}},
+      {"machine.journal", "records", {"at", "kind", "by", "method", "parameters", "outcome"}},
       {"channel.list",
        "channels",
        {"id", "name", "kind", "axes", "scheme", "state", "program_status"}},
       {"program.list", "programs", {"name", "bytes"}},
       {"program.history",
        "runs",
-       {"channel", "program", "blocks", "time_s", "path_mm", "ended", "ok"}},
+       {"channel", "begun_at", "program", "blocks", "time_s", "path_mm", "end"}},
       {"kinematics.list", "schemes", {"id", "type", "axes", "active", "file"}},
       {"kinematics.status", "axes", {"name", "takes_part", "enabled", "brake"}},
       {"drive.list",
@@ -46,10 +48,10 @@ const std::vector<ListView>& list_views() {
        "axes",
        {"axis", "state", "fault_code", "position", "power_w", "temperature_c", "referenced",
         "in_contact", "answers", "errors"}},
-      {"alarm.list", "alarms", {"channel", "cycle", "code", "file", "line", "text"}},
+      {"alarm.list", "alarms", {"channel", "at", "code", "file", "line", "text"}},
       {"alarm.history",
        "alarms",
-       {"channel", "cycle", "code", "file", "line", "text", "acknowledged"}},
+       {"channel", "at", "code", "file", "line", "text", "acknowledged"}},
       {"measurement.history", "measurements", {"channel", "number", "cycle", "text"}},
       {"tool.list",
        "tools",
@@ -98,13 +100,30 @@ std::string object_text(const json& object, std::string_view left_out, const Ter
   return text;
 }
 
+// By the clock on the wall.
+std::string time_text(double unix_s) {
+  const auto seconds = static_cast<std::time_t>(std::floor(unix_s));
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &local);
+  return text.data();
+}
+
+bool is_time(const std::string& column) {
+  return column == "at" || column == "begun_at" || column == "ended_at";
+}
+
 std::string list_text(const ListView& view, const json& list, const Terminal& terminal) {
   TextTable table(view.columns);
   for (const json& entry : list) {
     std::vector<std::string> cells;
     cells.reserve(view.columns.size());
-    for (const std::string& column : view.columns)
-      cells.push_back(cell_text(entry.value(column, json())));
+    for (const std::string& column : view.columns) {
+      const json cell = entry.value(column, json());
+      cells.push_back(is_time(column) && cell.is_number() ? time_text(cell.get<double>())
+                                                          : cell_text(cell));
+    }
     table.add_row(std::move(cells));
   }
   return table.text(terminal);

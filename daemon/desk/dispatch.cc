@@ -31,23 +31,21 @@ Unexpected<Failure> fail(FailureKind kind, const char* code, std::string text, i
   return Unexpected<Failure>(Failure{kind, code, std::move(text), channel, {}});
 }
 
+Asker asker_of(const SessionState& session) {
+  return {session.id, session.peer};
+}
+
 Unexpected<Failure> no_such_drive(const std::string& drive) {
   return fail(FailureKind::refused, "E6050", "there is no drive " + drive);
 }
 
-}  // namespace
-
-void log_command(const SessionState& session, const protocol::Request& request,
-                 const CommandResult& outcome) {
-  const std::string parameters = protocol::json_text(request.parameters);
-  if (outcome) {
-    spdlog::info("session {} ({}): {} {}: done", session.id, session.peer, request.method,
-                 parameters);
-  } else {
-    spdlog::warn("session {} ({}): {} {}: {} {}", session.id, session.peer, request.method,
-                 parameters, outcome.error().code, outcome.error().message);
-  }
+json journal_json(const Journal* journal) {
+  if (journal == nullptr) return {{"records", json::array()}, {"error", nullptr}};
+  const auto fault = journal->fault();
+  return {{"records", journal->actions()}, {"error", fault ? json(*fault) : json(nullptr)}};
 }
+
+}  // namespace
 
 json channel_names(const config::MachineFile& file) {
   json channels = json::array();
@@ -229,6 +227,8 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
          const int channel = d.channel_or_first(call.parameters);
          d.logs_.path(call.session.id, call.parameters, channel, std::move(call.answer));
        }},
+      {"machine.journal",
+       [](Dispatch& d, const json&) { return journal_json(d.description_.journal); }},
       {"log.status", [](Dispatch& d, const json&) { return log_status(d.machine_); }},
       {"log.start", [](Dispatch& d, const Call&) { return d.start_log(); }},
       {"log.stop", [](Dispatch& d, const Call&) { return d.stop_log(); }},
@@ -258,7 +258,8 @@ void Dispatch::handle(SessionState& session, const protocol::Request& request, A
     return call.answer((*query)(*this, call.parameters));
   if (const Task* task = std::get_if<Task>(&handler->second)) return (*task)(*this, call);
   const CommandResult outcome = std::get<Order>(handler->second)(*this, call);
-  if (method->effect != protocol::Effect::looks) log_command(session, request, outcome);
+  if (method->effect != protocol::Effect::looks)
+    command_log().note(asker_of(session), request, outcome);
   call.answer(outcome);
 }
 
@@ -334,12 +335,12 @@ CommandResult Dispatch::stop_log() const {
 
 void Dispatch::load_tables(Call call) {
   const auto name = call.parameters.value("file", std::string("tables"));
-  const auto log_and_answer = [who = call.session, name,
+  const auto log_and_answer = [this, who = asker_of(call.session), name,
                                answer = std::move(call.answer)](const CommandResult& outcome) {
     protocol::Request request;
     request.method = "tool.load";
     request.parameters = {{"file", name}};
-    log_command(who, request, outcome);
+    command_log().note(who, request, outcome);
     answer(outcome);
   };
   if (const auto obstacle = control_.obstacle_to_all(call.session.id))
@@ -366,13 +367,13 @@ void Dispatch::undo_touch(Call call) {
 }
 
 // An answer that leaves an entry in the log, with `shown` for the parameters: texts are long.
-Answer Dispatch::logged(const Call& call, Answer answer, json shown) {
+Answer Dispatch::logged(const Call& call, Answer answer, json shown) const {
   protocol::Request request;
   request.method = call.request.method;
   request.parameters = std::move(shown);
-  return [who = call.session, request = std::move(request),
+  return [this, who = asker_of(call.session), request = std::move(request),
           answer = std::move(answer)](const CommandResult& outcome) {
-    log_command(who, request, outcome);
+    command_log().note(who, request, outcome);
     answer(outcome);
   };
 }
@@ -431,9 +432,9 @@ AskedAt Dispatch::asked_at(const Call& call) {
 
 // Sessions may go before the answer comes; the log entry must not need them.
 void Dispatch::command(const Call& call) {
-  const auto log_and_answer = [who = call.session, request = call.request,
+  const auto log_and_answer = [this, who = asker_of(call.session), request = call.request,
                                answer = call.answer](const CommandResult& outcome) {
-    log_command(who, request, outcome);
+    command_log().note(who, request, outcome);
     answer(outcome);
   };
   auto event = operator_event(machine_.file(), call.method, call.parameters);
@@ -493,7 +494,7 @@ CommandResult Dispatch::allow_workpieces(const json& parameters) {
 }
 
 void Dispatch::shut_down(const Call& call) {
-  log_command(call.session, call.request, json());
+  command_log().note(asker_of(call.session), call.request, json());
   call.answer(json{{"accepted", true}});
   service_.on_shutdown();
 }
@@ -548,6 +549,8 @@ json Dispatch::system_info() const {
           {"state_directory", description_.state_directory.string()},
           {"socket", description_.socket.string()},
           {"program_root", machine_.program_root().string()},
+          {"history",
+           description_.journal == nullptr ? json(nullptr) : json(description_.journal->id())},
           {"clients", service_.clients}};
 }
 

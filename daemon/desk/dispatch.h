@@ -15,6 +15,7 @@
 #include "daemon/cycle/asked_at.h"
 #include "daemon/desk/channel_control.h"
 #include "daemon/desk/command_desk.h"
+#include "daemon/desk/command_log.h"
 #include "daemon/desk/log_desk.h"
 #include "daemon/desk/program_desk.h"
 #include "daemon/desk/program_queue.h"
@@ -43,16 +44,13 @@ struct SessionState {
 // Numbers and names of its channels.
 [[nodiscard]] nlohmann::json channel_names(const config::MachineFile& file);
 
-// Every command and its outcome, in the daemon's own log; any thread.
-void log_command(const SessionState& session, const protocol::Request& request,
-                 const CommandResult& outcome);
-
 // What the daemon knows of itself, for system.info.
 struct DaemonDescription {
   std::string build;
   std::filesystem::path state_directory;
   std::filesystem::path socket;
   KeepTables keep_tables{};
+  Journal* journal = nullptr;  // outlives the server; nullptr: none
 };
 
 class Dispatch {
@@ -81,6 +79,9 @@ class Dispatch {
 
   // A stop that the reception took was accepted.
   void note_stop(const channels::OperatorEvent& stop) { desk_.note_acceptance(stop); }
+
+  // Any thread.
+  [[nodiscard]] CommandLog command_log() const { return CommandLog(description_.journal); }
 
   // What a subscription shows.
   [[nodiscard]] nlohmann::json snapshot(const Subscription& subscription) const;
@@ -124,7 +125,7 @@ class Dispatch {
   void touch(Call call, Touch way);
   void undo_touch(Call call);
   void change_queue(Call call, QueueChange change);
-  [[nodiscard]] static Answer logged(const Call& call, Answer answer, nlohmann::json shown);
+  [[nodiscard]] Answer logged(const Call& call, Answer answer, nlohmann::json shown) const;
   [[nodiscard]] CommandResult tool_get(const nlohmann::json& parameters) const;
   [[nodiscard]] CommandResult reset_drive(const Call& call);
   [[nodiscard]] CommandResult make_drive_fail(const Call& call);

@@ -8,6 +8,7 @@
 #include "base/enum_names.h"
 #include "base/place.h"
 #include "base/units.h"
+#include "daemon/journal/journal_contents.h"
 #include "daemon/report/channel_display.h"
 #include "daemon/report/part_json.h"
 #include "daemon/report/process_status.h"
@@ -76,6 +77,11 @@ json number_or_null(int number) {
 
 json number_or_null(const std::optional<double>& number) {
   return number ? json(*number) : json(nullptr);
+}
+
+// Of the clock of the wall.
+json wall_time_or_null(double unix_s) {
+  return unix_s > 0.0 ? json(unix_s) : json(nullptr);
 }
 
 // A history says how many older entries are not kept any more.
@@ -194,6 +200,7 @@ json alarm_json(const channels::AlarmReport& alarm) {
   return {{"channel", alarm.channel},
           {"number", alarm.number},
           {"cycle", alarm.cycle},
+          {"at", wall_time_or_null(alarm.at)},
           {"code", alarm.diagnostic.code},
           {"text", alarm.diagnostic.message},
           {"file", text_or_null(alarm.diagnostic.place.file)},
@@ -330,8 +337,9 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
   const auto path = machine_.planned_path(config.id);
   json alarm = nullptr;
   if (output.state == ChannelState::alarm) {
-    const auto last = std::find_if(books.alarms.rbegin(), books.alarms.rend(),
-                                   [&](const auto& report) { return report.channel == config.id; });
+    const auto last = std::find_if(
+        books.alarms.rbegin(), books.alarms.rend(),
+        [&](const auto& report) { return report.channel == config.id && report.cycle > 0; });
     if (last != books.alarms.rend()) alarm = alarm_json(*last);
   }
   const channels::SituationReport situation = machine_.situation(output);
@@ -450,14 +458,21 @@ json StatusReport::program_history(int channel) const {
   const std::vector<channels::RunReport> runs = machine_.runs();
   for (const channels::RunReport& run : runs) {
     if (channel != 0 && run.channel != channel) continue;
+    const bool has_cycles = run.run != channels::RunReport::recalled;
     const std::int64_t end = run.ended ? run.end_cycle : now;
+    const double time_s = has_cycles ? static_cast<double>(end - run.start_cycle) * cycle_s
+                                     : run.ended_at - run.begun_at;
+    const auto outcome = run_outcome_name(run.end);
     rows.push_back({{"channel", run.channel},
                     {"number", run.number},
                     {"program", run.program},
-                    {"begun_cycle", run.start_cycle},
-                    {"ended_cycle", run.ended ? json(run.end_cycle) : json(nullptr)},
+                    {"begun_cycle", has_cycles ? json(run.start_cycle) : json(nullptr)},
+                    {"ended_cycle", has_cycles && run.ended ? json(run.end_cycle) : json(nullptr)},
+                    {"begun_at", wall_time_or_null(run.begun_at)},
+                    {"ended_at", wall_time_or_null(run.ended_at)},
+                    {"end", outcome ? json(*outcome) : json(nullptr)},
                     {"blocks", run.blocks},
-                    {"time_s", static_cast<double>(end - run.start_cycle) * cycle_s},
+                    {"time_s", time_s},
                     {"path_mm", run.path_mm},
                     {"ended", run.ended},
                     {"ok", run.ok}});
@@ -473,7 +488,8 @@ json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
     if (channel != 0 && alarm.channel != channel) continue;
     if (choice == AlarmChoice::active && !is_active(alarm, output)) continue;
     json row = alarm_json(alarm);
-    row["acknowledged"] = alarm.number <= notes_of(alarm.channel).alarms_acknowledged;
+    row["acknowledged"] =
+        alarm.is_over || alarm.number <= notes_of(alarm.channel).alarms_acknowledged;
     rows.push_back(std::move(row));
   }
   return with_forgotten({{"alarms", std::move(rows)}}, channels::forgotten(alarms, channel));
@@ -484,7 +500,7 @@ json StatusReport::alarm_rows(int channel, AlarmChoice choice) const {
 bool StatusReport::is_active(const channels::AlarmReport& alarm,
                              const channels::CycleOutput& output) const {
   const ChannelNotes notes = notes_of(alarm.channel);
-  if (alarm.number <= notes.alarms_cleared) return false;
+  if (alarm.is_over || alarm.number <= notes.alarms_cleared) return false;
   const bool is_acknowledged = alarm.number <= notes.alarms_acknowledged;
   return !is_acknowledged || output_of(output, alarm.channel).state == ChannelState::alarm;
 }

@@ -62,6 +62,10 @@ struct OperatorServer::Parts final : Counter {
   void on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
                 const AskedAt& asked_at) override;
   void on_departure(int session) override;
+  void on_stop_answered(const Asker& asker, const protocol::Request& request,
+                        const CommandResult& outcome) override {
+    dispatch.command_log().note(asker, request, outcome);
+  }
   void on_stop_accepted(const channels::OperatorEvent& stop) override;
   void on_end() override { io.stop(); }
 

@@ -178,14 +178,11 @@ bool Reception::Parts::take_stop(Session& session, const protocol::Frame& frame)
   if (frame.text.size() > stop_bytes_max) return false;
   const auto request = protocol::parse_request(frame.text);
   if (!request) return false;
-  const auto answer = [asker = session.weak_from_this(),
+  const auto answer = [this, asker = session.weak_from_this(),
                        request = *request](const CommandResult& outcome) {
     const auto alive = asker.lock();
     if (!alive) return;
-    SessionState who;
-    who.id = alive->id();
-    who.peer = alive->peer();
-    log_command(who, request, outcome);
+    counter.on_stop_answered({alive->id(), alive->peer()}, request, outcome);
     if (!request.wants_answer) return;
     alive->send(outcome ? protocol::answer_line(request.id, *outcome)
                         : protocol::failure_line(request.id, outcome.error()));

@@ -43,6 +43,8 @@ class Counter {
   virtual void on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
                         const AskedAt& asked_at) = 0;
   virtual void on_departure(int session) = 0;
+  virtual void on_stop_answered(const Asker& asker, const protocol::Request& request,
+                                const CommandResult& outcome) = 0;
   virtual void on_stop_accepted(const channels::OperatorEvent& stop) = 0;
   // The orderly end is over.
   virtual void on_end() = 0;

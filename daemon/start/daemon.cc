@@ -17,6 +17,7 @@
 #include "daemon/server/operator_server.h"
 #include "daemon/start/assembled_machine.h"
 #include "daemon/start/kept_state.h"
+#include "daemon/start/machine_history.h"
 #include "daemon/start/scope_feed.h"
 #include "protocol/socket_location.h"
 #include "protocol/version.h"
@@ -167,11 +168,16 @@ int run_daemon(const DaemonOptions& options) {
   machine.set_loop(loop);
   recorder.ask_for_situations(
       [&machine](const channels::ChannelOutput& output) { return machine.situation(output); });
-  KeptState kept(state.path(), machine);
-  OperatorServer server(socket, machine,
-                        {build_description(), state.path(), socket.path(),
-                         [&kept](KeepDone done) { kept.keep_tables(std::move(done)); }},
-                        {.panel_user = panel_user(options.panel_user)});
+  MachineHistory history(state.path(), machine, assembly.machine());
+  KeptState kept(state.path(), machine,
+                 [&history](std::string_view what, const std::string& fault) {
+                   history.tell_not_kept(std::string(what), fault);
+                 });
+  OperatorServer server(
+      socket, machine,
+      {build_description(), state.path(), socket.path(),
+       [&kept](KeepDone done) { kept.keep_tables(std::move(done)); }, &history.journal()},
+      {.panel_user = panel_user(options.panel_user)});
 
   // First the stop: what is said may need memory.
   const auto fail = [&](std::string_view who, std::string_view name, std::string_view reason) {
@@ -198,6 +204,7 @@ int run_daemon(const DaemonOptions& options) {
   const RealTimeThread real_time(loop, machine);
   spdlog::info("stanokd {} runs {}: cycle {} us, drives {}, socket {}", protocol::version, name,
                file.machine.cycle_us, machine.drive_choice(), socket.path().string());
+  history.begin();
   wait_for_the_first_cycle(machine, ends);
   server.run();
   ends = true;

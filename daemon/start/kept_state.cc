@@ -119,11 +119,14 @@ std::string PositionSnapshot::operator()(const channels::CycleOutput& newest) {
   return kept_;
 }
 
-KeptState::KeptState(const fs::path& directory, RunningMachine& machine)
+KeptState::KeptState(const fs::path& directory, RunningMachine& machine,
+                     const StateKeeper::OnFault& on_fault)
     : positions_(machine.file().machine),
-      table_keeper_(tables_file(directory), tables_kind,
-                    [&machine] { return config::to_toml(machine.tables()); }),
-      position_keeper_(positions_file(directory), positions_kind,
-                       [this, &machine] { return positions_(machine.newest_output()); }) {}
+      table_keeper_(
+          tables_file(directory), tables_kind,
+          [&machine] { return config::to_toml(machine.tables()); }, on_fault),
+      position_keeper_(
+          positions_file(directory), positions_kind,
+          [this, &machine] { return positions_(machine.newest_output()); }, on_fault) {}
 
 }  // namespace stanok::daemon

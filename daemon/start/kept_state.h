@@ -33,7 +33,8 @@ class PositionSnapshot {
 // Keeps the state of a running machine, which outlives it, until its end.
 class KeptState {
  public:
-  KeptState(const std::filesystem::path& directory, RunningMachine& machine);
+  KeptState(const std::filesystem::path& directory, RunningMachine& machine,
+            const StateKeeper::OnFault& on_fault);
 
   // As StateKeeper::keep, for the tables.
   void keep_tables(StateKeeper::Done done) { table_keeper_.keep(std::move(done)); }

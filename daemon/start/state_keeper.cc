@@ -13,8 +13,13 @@ constexpr auto period = std::chrono::milliseconds(500);
 
 }  // namespace
 
-StateKeeper::StateKeeper(std::filesystem::path file, const DurableKind& kind, Snapshot snapshot)
-    : file_(std::move(file)), kind_(kind), snapshot_(std::move(snapshot)), saved_(snapshot_()) {
+StateKeeper::StateKeeper(std::filesystem::path file, const DurableKind& kind, Snapshot snapshot,
+                         OnFault on_fault)
+    : file_(std::move(file)),
+      kind_(kind),
+      snapshot_(std::move(snapshot)),
+      on_fault_(std::move(on_fault)),
+      saved_(snapshot_()) {
   thread_ = std::jthread([this](const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
@@ -47,11 +52,21 @@ std::optional<std::string> StateKeeper::try_to_save() {
   } catch (const std::exception& thrown) {
     fault = thrown.what();
   }
-  if (fault && !has_told_fault_)
+  if (fault && !has_told_fault_) {
     spdlog::error("{} cannot be kept: {}; tried again", kind_.name, *fault);
+    tell(*fault);
+  }
   if (!fault && has_told_fault_) spdlog::info("{} are kept again", kind_.name);
   has_told_fault_ = fault.has_value();
   return fault;
+}
+
+// Where there is no memory to say it with, the log has it.
+void StateKeeper::tell(const std::string& fault) {
+  try {
+    on_fault_(kind_.name, fault);
+  } catch (const std::exception&) {
+  }
 }
 
 StateKeeper::~StateKeeper() = default;

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -22,9 +23,13 @@ class StateKeeper {
  public:
   using Snapshot = std::function<std::string()>;
 
+  // What the disk does not take, and why; from the thread of the keeper.
+  using OnFault = std::function<void(std::string_view what, const std::string& fault)>;
+
   // `snapshot` may be called from another thread while this lives. What it gives now is on disk, or
   // needs not be.
-  StateKeeper(std::filesystem::path file, const DurableKind& kind, Snapshot snapshot);
+  StateKeeper(std::filesystem::path file, const DurableKind& kind, Snapshot snapshot,
+              OnFault on_fault);
   // Writes a last time.
   ~StateKeeper();
   StateKeeper(const StateKeeper&) = delete;
@@ -38,11 +43,13 @@ class StateKeeper {
  private:
   [[nodiscard]] std::optional<std::string> try_to_save();
   [[nodiscard]] std::optional<std::string> save_when_changed();
+  void tell(const std::string& fault);
   void save_for(std::vector<Done> waiting);
 
   std::filesystem::path file_;
   DurableKind kind_;
   Snapshot snapshot_;
+  OnFault on_fault_;
   std::string saved_;
   bool has_told_fault_ = false;
   std::mutex mutex_;

@@ -28,6 +28,8 @@ class CounterWithoutMemory final : public Counter {
     ++departures;
     throw std::bad_alloc();
   }
+  void on_stop_answered(const Asker& /*asker*/, const protocol::Request& /*request*/,
+                        const CommandResult& /*outcome*/) override {}
   void on_stop_accepted(const channels::OperatorEvent& /*stop*/) override {}
   void on_end() override { has_ended = true; }
 };

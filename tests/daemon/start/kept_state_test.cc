@@ -53,7 +53,7 @@ TEST_F(KeptStateTest, AnEmptyDirectoryLeavesTheMachineFile) {
 
 TEST_F(KeptStateTest, AxesStartWhereTheyStood) {
   {
-    const KeptState kept(folder.path(), machine);
+    const KeptState kept(folder.path(), machine, [](std::string_view, const std::string&) {});
     show(now);
   }
   EXPECT_EQ(found().axes[0].start, 12.5);
@@ -68,7 +68,7 @@ TEST_F(KeptStateTest, EveryBitOfAPositionIsKept) {
     show(channels::CycleOutput{});
     now.channels[0].axes[0].position = position;
     {
-      const KeptState kept(folder.path(), machine);
+      const KeptState kept(folder.path(), machine, [](std::string_view, const std::string&) {});
       show(now);
     }
     EXPECT_EQ(std::bit_cast<std::uint64_t>(found().axes[0].start),
@@ -78,7 +78,7 @@ TEST_F(KeptStateTest, EveryBitOfAPositionIsKept) {
 
 TEST_F(KeptStateTest, ToolsKeepTheirValuesAndHaveTheShapesOfTheMachineFile) {
   {
-    const KeptState kept(folder.path(), machine);
+    const KeptState kept(folder.path(), machine, [](std::string_view, const std::string&) {});
     machine.change([](FakeMachine& fake) {
       channels::ToolEdge worn;
       worn.number = 7;
@@ -111,7 +111,7 @@ TEST_F(KeptStateTest, ToolsKeepTheirValuesAndHaveTheShapesOfTheMachineFile) {
 
 TEST_F(KeptStateTest, APositionOutsideOfItsAxisIsNotTaken) {
   {
-    const KeptState kept(folder.path(), machine);
+    const KeptState kept(folder.path(), machine, [](std::string_view, const std::string&) {});
     show(now);
   }
   channels::MachineConfig shorter = two_channel_machine().machine;

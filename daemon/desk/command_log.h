@@ -1,0 +1,33 @@
+// CommandLog: every command of a client and its outcome, in the daemon's own log and in its
+// journal.
+//
+// Any thread; waits for nothing.
+#pragma once
+
+#include <string>
+
+#include "daemon/desk/command_desk.h"
+#include "daemon/journal/journal.h"
+#include "protocol/json_rpc.h"
+
+namespace stanok::daemon {
+
+// Who gave it: the number of the session, and who is behind it ("uid 1000, pid 4711").
+struct Asker {
+  int session = 0;
+  std::string peer;
+};
+
+class CommandLog {
+ public:
+  // `journal` outlives the log; nullptr: there is none.
+  explicit CommandLog(Journal* journal) : journal_(journal) {}
+
+  void note(const Asker& asker, const protocol::Request& request,
+            const CommandResult& outcome) const;
+
+ private:
+  Journal* journal_;
+};
+
+}  // namespace stanok::daemon
