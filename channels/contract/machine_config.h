@@ -10,6 +10,7 @@
 
 #include "base/axis_index.h"
 #include "base/numbered.h"
+#include "channels/contract/entry_limits.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
 #include "motion/interpolation/automatic_feed.h"
@@ -119,11 +120,6 @@ struct TablesConfig {
   std::map<int, std::map<std::string, AxisRow>> reference_points;
   // channel id -> number (500 to 999) -> common variable of the Fanuc dialect; absent: vacant
   std::map<int, std::map<int, double>> variables;
-};
-
-// How far values that people enter may change without being confirmed.
-struct EntryLimits {
-  double touch_off_max_mm = 100.0;  // mm or deg; of an offset or a length by touching off
 };
 
 struct MachineConfig {

@@ -44,8 +44,9 @@ std::pair<int, int> key_of(const ToolEdge& tool) RT_SAFE {
   return {tool.number, tool.edge};
 }
 
+constexpr double length_max = 1e5;  // mm, or deg of an offset
+
 bool is_in_range(ToolValue value, double to) RT_SAFE {
-  constexpr double length_max = 1e5;  // mm
   constexpr double angle_max = 360.0;
   switch (value) {
     case ToolValue::orientation:
@@ -91,16 +92,10 @@ int work_offset_number(std::string_view name) RT_SAFE {
   return page >= 1 && page <= work_offsets_max - 9 ? page + 9 : 0;
 }
 
-int tool_value_named(std::string_view name) RT_SAFE {
-  constexpr std::array<std::string_view, tool_values> names{
-      "length",   "length_y",    "length_x",    "radius",     "wear_length",  "wear_radius",
-      "overhang", "orientation", "angle_front", "angle_back", "wear_length_x"};
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
-}
-
 LiveTables::LiveTables(const MachineConfig& machine)
-    : write_protected_(machine.tables_write_protected), unnamed_tools_(machine.unnamed_tools) {
+    : write_protected_(machine.tables_write_protected),
+      unnamed_tools_(machine.unnamed_tools),
+      bounds_(machine) {
   for (const AxisConfig& axis : machine.axes) columns_.push_back(axis.name);
   columns_.emplace_back("R");
   for (const ChannelConfig& channel : machine.channels) channels_.push_back(channel.id);
@@ -202,7 +197,7 @@ std::optional<double> LiveTables::offset(int number, int axis) const RT_SAFE {
 
 bool LiveTables::set_offset(int number, int axis, double value, Writer writer) RT_SAFE {
   if (write_protected_ && writer == Writer::program) return false;
-  if (!offset(number, axis)) return false;
+  if (!offset(number, axis) || !(std::abs(value) <= length_max)) return false;
   if (axis == lang::rotation_of_offset) axis = column_count() - 1;
   offsets_[cell(number, axis)].store(value, std::memory_order_relaxed);
   return true;
@@ -308,19 +303,20 @@ void LiveTables::add_reference_points(int channel, TablesConfig& tables) const {
 
 namespace {
 
+// Table 1 is the only one there is.
+bool exists(const requests::OffsetRead& place) RT_SAFE {
+  return place.table == 1;
+}
+
+int machine_axis(const requests::OffsetRead& place, NumberedSpan<const int> machine_axes) RT_SAFE {
+  return place.axis >= 0 ? machine_axes[place.axis] : place.axis;
+}
+
 struct TableExecution {
   using Result = std::optional<double>;
 
   LiveTables& tables;
   NumberedSpan<const int> machine_axes;
-
-  // Table 1 is the only one there is.
-  [[nodiscard]] static bool exists(const requests::OffsetRead& place) RT_SAFE {
-    return place.table == 1;
-  }
-  [[nodiscard]] int machine_axis(const requests::OffsetRead& place) const RT_SAFE {
-    return place.axis >= 0 ? machine_axes[place.axis] : place.axis;
-  }
 
   Result operator()(const requests::ToolRead& place) const RT_SAFE {
     return tables.tool_value(place.tool, place.edge, place.value);
@@ -332,12 +328,12 @@ struct TableExecution {
   }
   Result operator()(const requests::OffsetRead& place) const RT_SAFE {
     if (!exists(place)) return std::nullopt;
-    return tables.offset(place.offset, machine_axis(place));
+    return tables.offset(place.offset, machine_axis(place, machine_axes));
   }
   Result operator()(const requests::OffsetWrite& write) const RT_SAFE {
     const requests::OffsetRead& place = write.place;
-    if (!exists(place) || !tables.set_offset(place.offset, machine_axis(place), write.value))
-      return std::nullopt;
+    const int axis = machine_axis(place, machine_axes);
+    if (!exists(place) || !tables.set_offset(place.offset, axis, write.value)) return std::nullopt;
     return write.value;
   }
   Result operator()(const auto& /*other*/) const RT_SAFE { return std::nullopt; }
@@ -348,6 +344,54 @@ struct TableExecution {
 std::optional<double> execute_table_request(LiveTables& tables, const Request& request,
                                             NumberedSpan<const int> machine_axes) RT_SAFE {
   return visit_in_cycle(TableExecution{tables, machine_axes}, request);
+}
+
+namespace {
+
+// As work_offset_name.
+void append_work_offset(ReasonText& text, int number) RT_SAFE {
+  if (number <= 6) {
+    text.append("G").append(long{53} + number);
+  } else if (number <= 9) {
+    text.append("G59.").append(long{number} - 6);
+  } else {
+    text.append("G54.1 P").append(long{number} - 9);
+  }
+}
+
+struct EntryReason {
+  const LiveTables& tables;
+  NumberedSpan<const int> machine_axes;
+
+  ReasonText operator()(const requests::ToolWrite& write) const RT_SAFE {
+    const auto& [tool, edge, value] = write.place;
+    if (!tables.tool_value(tool, edge, value)) return {};
+    const auto named = static_cast<ToolValue>(value);
+    const EntryBound bound = tables.bounds().of_tool(named);
+    if (bound.holds(write.value)) return {};
+    ReasonText text("tool ");
+    text.append(long{tool}).append(", edge ").append(long{edge}).append(", ");
+    text.append(name_of(named)).append(": ");
+    return text.append(reason_against(bound, write.value).view());
+  }
+  ReasonText operator()(const requests::OffsetWrite& write) const RT_SAFE {
+    const int axis = machine_axis(write.place, machine_axes);
+    if (!exists(write.place) || !tables.offset(write.place.offset, axis)) return {};
+    const EntryBound bound = tables.bounds().of_offset(axis);
+    if (bound.holds(write.value)) return {};
+    ReasonText text;
+    append_work_offset(text, write.place.offset);
+    text.append(" ").append(tables.column_name(axis)).append(": ");
+    return text.append(reason_against(bound, write.value).view());
+  }
+  ReasonText operator()(const auto& /*other*/) const RT_SAFE { return {}; }
+};
+
+}  // namespace
+
+ReasonText implausible_entry(const LiveTables& tables, const Request& request,
+                             NumberedSpan<const int> machine_axes) RT_SAFE {
+  return visit_in_cycle(EntryReason{tables, machine_axes}, request);
 }
 
 namespace {

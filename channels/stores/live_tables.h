@@ -16,8 +16,10 @@
 
 #include "base/numbered.h"
 #include "base/rt_safe.h"
+#include "channels/contract/entry_bounds.h"
 #include "channels/contract/machine_config.h"
 #include "channels/contract/tool_row.h"
+#include "channels/contract/tool_value.h"
 #include "channels/messages/request.h"
 #include "kinematics/direction_choice.h"
 #include "kinematics/scheme.h"
@@ -28,23 +30,6 @@ namespace stanok::channels {
 // The table name of a work offset number: 1 = "G54" ... 7 = "G59.1", 10 = "G54.1 P1".
 [[nodiscard]] std::string work_offset_name(int number);
 
-// The values of a tool that programs read and write, by the number that settable_tool gives them.
-enum class ToolValue : std::uint8_t {
-  length = 1,
-  length_y,
-  length_x,
-  radius,
-  wear_length,
-  wear_radius,
-  overhang,
-  orientation,
-  angle_front,
-  angle_back,
-  wear_length_x,
-};
-inline constexpr int tool_values = 11;
-// "length", "wear_radius"...; 0: there is no such value.
-[[nodiscard]] int tool_value_named(std::string_view name) RT_SAFE;
 // "G28" for 1, "G30 P2" to "G30 P4".
 [[nodiscard]] std::string reference_point_name(int which);
 // The number of work_offset_name; 0: there is no such offset.
@@ -80,6 +65,10 @@ class LiveTables {
       RT_SAFE;
   // `axis` of the calls above by the name of the machine's axis, "R": the rotation; -1: none.
   [[nodiscard]] int column(std::string_view axis) const RT_SAFE;
+  // "X" or "R" of an axis that has an offset.
+  [[nodiscard]] std::string_view column_name(int axis) const RT_SAFE {
+    return columns_[axis == lang::rotation_of_offset ? column_count() - 1 : axis];
+  }
   [[nodiscard]] std::optional<double> tool_value(int number, int edge, int value) const RT_SAFE;
   // Number 0 where there is no such tool, and of tool 0, which is none.
   [[nodiscard]] ToolRow row(int number, int edge) const RT_SAFE;
@@ -91,6 +80,8 @@ class LiveTables {
   [[nodiscard]] bool has_place(int number, int edge) const RT_SAFE;
   [[nodiscard]] bool set_tool_value(int number, int edge, int value, double to,
                                     Writer writer = Writer::program) RT_SAFE;
+  // What is plausible. Writes are not held against it: whoever has confirmed a value may.
+  [[nodiscard]] const EntryBounds& bounds() const RT_SAFE { return bounds_; }
 
  private:
   struct ToolPlace {
@@ -121,6 +112,7 @@ class LiveTables {
   std::vector<int> channels_;          // ids
   bool write_protected_ = false;
   bool unnamed_tools_ = true;
+  EntryBounds bounds_;
   NumberedList<std::atomic<double>> offsets_;           // by cell()
   NumberedList<std::atomic<double>> reference_points_;  // by reference_cell()
   NumberedList<std::atomic<double>> variables_;         // by variable_cell()
@@ -155,6 +147,11 @@ class RowAtWork {
                                                           const Request& request,
                                                           NumberedSpan<const int> machine_axes)
     RT_SAFE;
+
+// Why a program must not write this into the tables, for E5022; empty: it may, or there is no such
+// entry, or it writes nothing.
+[[nodiscard]] ReasonText implausible_entry(const LiveTables& tables, const Request& request,
+                                           NumberedSpan<const int> machine_axes) RT_SAFE;
 
 // The tables as the interpreter of one channel sees them.
 class ChannelTables final : public lang::Tables {

@@ -51,7 +51,7 @@ const Keys<TopLevel>& top_level_keys() {
       {"lcm", at<&TopLevel::lcm>, optional, "", "publishing"},
       {"recorder", at<&TopLevel::recorder>, optional, "", "log files"},
       {"entry_limits", at<&TopLevel::entry_limits>, optional, "",
-       "how far entered values may go without being confirmed"},
+       "how far values of tools and work offsets may go and change"},
       {"process", at<&TopLevel::process>, optional, "", "force control"},
       {"simulation", at<&TopLevel::simulation>, optional, "", "plant of the simulated drives"},
       {"contact", at<&TopLevel::contacts>, optional, "",
@@ -257,10 +257,8 @@ class MachineReader {
 
   void read_services() {
     if (top_.lcm != nullptr) file_.lcm_url = read_lcm_url(*top_.lcm, Scope{faults_, "[lcm]"});
-    if (top_.entry_limits != nullptr) {
-      file_.machine.entry_limits =
-          read_entry_limits(*top_.entry_limits, Scope{faults_, "[entry_limits]"});
-    }
+    file_.machine.entry_limits =
+        read_entry_limits(top_.entry_limits, file_.machine, Scope{faults_, "[entry_limits]"});
     if (top_.recorder != nullptr) {
       file_.recorder = read_recorder(*top_.recorder, Scope{faults_, "[recorder]"});
       if (!file_.recorder.directory.empty()) {

@@ -1,6 +1,8 @@
 // Keys and checks of the single tables of the machine file.
 #include "config/sections/machine_sections.h"
 
+#include <algorithm>
+
 namespace stanok::config {
 namespace {
 
@@ -63,13 +65,39 @@ const Keys<RecorderFile>& recorder_keys() {
 }
 
 const Keys<channels::EntryLimits>& entry_limits_keys() {
-  static const Keys<channels::EntryLimits> keys = {
-      {"touch_off_max", at<&channels::EntryLimits::touch_off_max_mm>, optional, "mm, deg",
+  using Limits = channels::EntryLimits;
+  static const Keys<Limits> keys = {
+      {"touch_off_max", at<&Limits::touch_off_max>, optional, "mm, deg",
        "a work offset or tool length that changes by more than this by touching off must be "
        "confirmed",
        not_negative},
+      {"change_max", at<&Limits::change_max>, optional, "mm, deg",
+       "a work offset or tool length other than 0 that an operator changes by more than this, by "
+       "its new value, must be confirmed",
+       not_negative},
+      {"tool_length_min", at<&Limits::tool_length_min_mm>, optional, "mm",
+       "smallest length of a tool along Z; lengths that are measured against a reference tool may "
+       "be negative",
+       any, "0; with a lathe channel, whose tools point either way, -tool_length_max"},
+      {"tool_length_max", at<&Limits::tool_length_max_mm>, optional, "mm",
+       "largest length of a tool along Z; along X and Y, and of its overhang, the magnitude",
+       positive},
+      {"tool_radius_max", at<&Limits::tool_radius_max_mm>, optional, "mm",
+       "largest radius of a tool", positive},
+      {"wear_max", at<&Limits::wear_max_mm>, optional, "mm",
+       "largest magnitude of the wear of a length or radius", positive},
+      {"offset_max", at<&Limits::offset_max_mm>, optional, "mm",
+       "largest magnitude of a work offset along a linear axis; of a rotary axis it is a whole "
+       "turn, or its travel",
+       positive, "the largest magnitude of min and max of the axis, and tool_length_max"},
   };
   return keys;
+}
+
+bool has_lathe(const channels::MachineConfig& machine) {
+  return std::ranges::any_of(machine.channels, [](const channels::ChannelConfig& channel) {
+    return channel.kind == lang::ChannelKind::lathe;
+  });
 }
 
 }  // namespace
@@ -170,9 +198,16 @@ RecorderConfig read_recorder(const toml::table& table, const Scope& scope) {
   return {.directory = file.directory, .size_mb = file.size_mb, .flight_s = file.flight_s};
 }
 
-channels::EntryLimits read_entry_limits(const toml::table& table, const Scope& scope) {
+channels::EntryLimits read_entry_limits(Subtable table, const channels::MachineConfig& machine,
+                                        const Scope& scope) {
   channels::EntryLimits limits;
-  read_table(table, entry_limits_keys(), limits, scope);
+  if (table != nullptr) read_table(*table, entry_limits_keys(), limits, scope);
+  const bool has_least = table != nullptr && table->contains("tool_length_min");
+  if (!has_least && has_lathe(machine)) limits.tool_length_min_mm = -limits.tool_length_max_mm;
+  if (limits.tool_length_min_mm < limits.tool_length_max_mm) return limits;
+  scope.fault(place_of(*table, "tool_length_min"),
+              "tool_length_min is not less than tool_length_max, " +
+                  number_text(limits.tool_length_max_mm));
   return limits;
 }
 

@@ -39,7 +39,10 @@ struct SimulationSection {
 [[nodiscard]] drives::BusConfig read_bus(const toml::table& table, const Scope& scope);
 [[nodiscard]] std::string read_lcm_url(const toml::table& table, const Scope& scope);
 [[nodiscard]] RecorderConfig read_recorder(const toml::table& table, const Scope& scope);
-[[nodiscard]] channels::EntryLimits read_entry_limits(const toml::table& table, const Scope& scope);
+// Whether the machine has the section or not; its channels are known.
+[[nodiscard]] channels::EntryLimits read_entry_limits(Subtable table,
+                                                      const channels::MachineConfig& machine,
+                                                      const Scope& scope);
 
 // Rows of the documentation.
 [[nodiscard]] std::vector<KeyRow> drives_key_rows();

@@ -101,7 +101,7 @@ Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters, i
 
 TouchDesk::Refusal TouchDesk::large_change(const json& parameters, double change, const char* unit,
                                            int channel) const {
-  const double most = machine_.file().machine.entry_limits.touch_off_max_mm;
+  const double most = machine_.file().machine.entry_limits.touch_off_max;
   if (std::abs(change) <= most || parameters.value("confirmed", 0) != 0) return std::nullopt;
   return refused("E6093",
                  "the value would change by " + three_decimals(change) + " " + unit +
