@@ -65,8 +65,9 @@ void PendingAnswer::expect_end(Diagnostic error) {
   end_ = std::move(error);
 }
 
-void PendingAnswer::deliver(const Request& request) {
+void PendingAnswer::deliver(const Request& request, const Origin& origin) {
   owed_ = true;
+  origin_ = origin;
   if (request.kind == RequestKind::input_wait) {
     use_ = request.statement ? AnswerUse::feedback : AnswerUse::input_result;
     feedback_ = {request.number, request.index == 3, request.seconds};

@@ -84,7 +84,9 @@ class PendingAnswer {
   void expect_end(Diagnostic error);
 
   // The request is delivered; those that blocks make say themselves what their answer is for.
-  void deliver(const Request& request);
+  // `origin`: where it was made.
+  void deliver(const Request& request, const Origin& origin = {});
+  [[nodiscard]] const Origin& origin() const { return origin_; }
   [[nodiscard]] bool owed() const { return owed_; }
 
   // False when no answer was owed; from here on none is.
@@ -109,6 +111,7 @@ class PendingAnswer {
   [[nodiscard]] Taken take_statement(const Answer& answer);
 
   bool owed_ = false;
+  Origin origin_;
   AnswerUse use_ = AnswerUse::position_only;
   double unit_ = 1.0;
   double shift_ = 0.0;

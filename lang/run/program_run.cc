@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "lang/block/macro_arguments.h"
+#include "lang/program/compile.h"
 #include "lang/text/reporter.h"
 
 namespace stanok::lang {
@@ -282,7 +283,7 @@ Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
   queue.take(command);
   blocks_.note_delivered(command.payload);
   if (const auto* const request = std::get_if<Request>(&command.payload)) {
-    pending_.deliver(*request);
+    pending_.deliver(*request, command.origin);
   }
   return Step::command;
 }
@@ -298,9 +299,19 @@ void ProgramRun::answer(const Answer& answer) {
     Diagnostic diagnostic =
         vm_.diagnostic(refusal.code, std::move(refusal.message), std::move(refusal.label));
     diagnostic.notes = std::move(refusal.notes);
-    vm_.fail_with(std::move(diagnostic));
+    fail_asker(std::move(diagnostic));
   }
   finish(taken.use, answer);
+}
+
+// A plain line is no instruction: what it has asked for fails in its own place, not in that of the
+// instruction before.
+void ProgramRun::fail_asker(Diagnostic diagnostic) {
+  const Origin& asker = pending_.origin();
+  const Origin instruction = vm_.instruction_origin();
+  const bool is_instruction = asker.file == instruction.file && asker.line == instruction.line;
+  if (!is_instruction && asker.line != 0) put_at_block(vm_.program(), asker, diagnostic);
+  vm_.fail_with(std::move(diagnostic));
 }
 
 // What is done with the answer to a request, where it has no value for the stack.
@@ -337,16 +348,16 @@ void ProgramRun::take_feedback(const Answer& answer) {
   const PendingAnswer::Feedback& wanted = pending_.feedback();
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%g", wanted.timeout_s);
-  vm_.fail("E5030",
-           "input " + std::to_string(wanted.input) + " did not go " + (wanted.on ? "on" : "off") +
-               " within " + seconds + " s",
-           "the feedback of this output");
+  fail_asker(vm_.diagnostic("E5030",
+                            "input " + std::to_string(wanted.input) + " did not go " +
+                                (wanted.on ? "on" : "off") + " within " + seconds + " s",
+                            "the feedback of this output"));
 }
 
 void ProgramRun::take_probe_answer(AnswerUse use, const Answer& answer) {
   blocks_.take_probe_answer(answer);
   if (!answer.ok && use == AnswerUse::probe_or_alarm)
-    vm_.fail("E4320", "the probe did not change", "nothing found");
+    fail_asker(vm_.diagnostic("E4320", "the probe did not change", "nothing found"));
 }
 
 }  // namespace stanok::lang

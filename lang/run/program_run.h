@@ -92,6 +92,7 @@ class ProgramRun {
   Step deliver(CommandQueue& queue, Command& command);
   [[nodiscard]] Step failed_or(Step other) const { return run_.failed() ? Step::failed : other; }
   void finish(AnswerUse use, const Answer& answer);
+  void fail_asker(Diagnostic diagnostic);
   void take_feedback(const Answer& answer);
   void take_probe_answer(AnswerUse use, const Answer& answer);
 

@@ -56,6 +56,16 @@ TEST_F(Probing, WithoutContactIsAnErrorOnlyWhereItIsAsked) {
   }
 }
 
+// A plain line is no instruction: the fault is told of it, not of the instruction before.
+TEST_F(Probing, WithoutContactFailsInItsOwnLine) {
+  find_nothing();
+  EXPECT_EQ(error_code("#1=5\nG0 X0\nG38.2 X#1 F50\nM30\n"), "E4320");
+  EXPECT_EQ(error.place.line, 3);
+  EXPECT_EQ(error_code("G0 X0\nG1 X1 F100\nG38.2 X5 F50\nM30\n"), "E4320");
+  EXPECT_EQ(error.place.line, 3);
+  EXPECT_EQ(error.place.column, 1);
+}
+
 // Haas mill operator's manual, M78 and M79: in the block of the skip or in any later one.
 TEST_F(Probing, TellsOfHaasWhetherItsResultIsAnAlarm) {
   find_nothing();
