@@ -85,6 +85,10 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E5021", "a table entry does not exist", end,
      "check table, page or tool, and the axis or value name",
      "correct the program and start it again"},
+    {"E5022", "a program writes a value into the tables that is not plausible", end,
+     "correct the value; or widen the limit that the text names, in [entry_limits] of the machine "
+     "file",
+     "correct the program and start it again"},
     {"E5030", "the feedback of an output did not come in time", end,
      "look at what the output drives and at its sensor; the machine file has the time",
      "correct the cause and start the program again"},

@@ -58,7 +58,15 @@ struct ValueDesk::Access {
     const auto value = value_of_table();
     return value ? success(*value) : refusal("E5021", "the tables have no such entry");
   }
+  // What is not plausible ends the program, whether it looks at the result or not.
   [[nodiscard]] Verdict table_write() const RT_SAFE {
+    const ReasonText reason =
+        implausible_entry(*desk.stores_.tables, errand.request, asker().axes.machine_axes());
+    if (!reason.empty()) {
+      Verdict verdict = refusal("E5022", reason.view());
+      verdict.raises = true;
+      return verdict;
+    }
     const auto value = value_of_table();
     if (value) return success(*value);
     return refusal("", "no such entry, a value out of range, or write-protected tables");

@@ -298,8 +298,15 @@ lang::Answer DryRun::answer_of(const lang::Request& request) {
   lang::Answer answer;
   answer.ok = request.kind != lang::RequestKind::program_restart;
   if (!is_table_request(request.kind)) return answer;
-  const auto value =
-      channels::execute_table_request(live_, channels::table_request_of(request), channel_.axes);
+  const channels::Request asked = channels::table_request_of(request);
+  const auto reason = channels::implausible_entry(live_, asked, channel_.axes);
+  if (!reason.empty()) {
+    answer.ok = false;
+    answer.raises = true;
+    answer.text = "E5022 " + std::string(reason.view());
+    return answer;
+  }
+  const auto value = channels::execute_table_request(live_, asked, channel_.axes);
   answer.ok = value.has_value();
   answer.number = value.value_or(0.0);
   if (!answer.ok) answer.text = "no such entry of the tables, or a value out of range";

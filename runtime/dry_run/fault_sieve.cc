@@ -17,7 +17,7 @@ constexpr auto of_state = std::to_array<std::string_view>(
 // Faults of the way from where the axes stand.
 constexpr auto of_geometry = std::to_array<std::string_view>(
     {"E4032", "E4033", "E4035", "E4067", "E4068", "E4070", "E4143", "E4144", "E4145", "E4146",
-     "E4147", "E4148", "E4151", "E4152", "E4321", "E5101", "E5102", "E5103", "E5104"});
+     "E4147", "E4148", "E4151", "E4152", "E4321", "E5022", "E5101", "E5102", "E5103", "E5104"});
 
 template <class Codes>
 bool is_among(const Codes& codes, std::string_view code) {

@@ -125,6 +125,64 @@ TEST(Tables, WriteProtectionOfTheMachineFileHolds) {
   EXPECT_THAT(alarms_of("settable_zs (1, 1, X, 5);\n", bench), ElementsAre("E5020"));
 }
 
+// A mill with lengths up to 500 mm, whose linear axes go from -500 to 500.
+class ImplausibleEntry : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ImplausibleEntry, EndsTheProgramAndIsNotWritten) {
+  MachineBench bench;
+  const std::string fault = GetParam();
+  EXPECT_THAT(alarms_of("G17 G90 G94\n" + fault + "\n", bench), ElementsAre("E5022"));
+  const TablesConfig tables = bench.machine().tables();
+  EXPECT_TRUE(tables.tools.empty());
+  EXPECT_TRUE(tables.offsets.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, ImplausibleEntry,
+                         ::testing::Values("G10 L1 P3 Z-5", "G10 L1 P3 Z99999", "G10 L1 P3 R5000",
+                                           "G10 L1 P3 X-501", "G10 L10 P3 Z5", "G10 L11 P3 Z5",
+                                           "G10 L2 P1 X99999", "G10 L2 P1 R361",
+                                           "G10 L20 P1 Y-1001", "G20 G10 L2 P1 X40",
+                                           "settable_tool (3, 1, \"wear_length\", 80);",
+                                           "settable_tool (3, 1, \"wear_radius\", -2.5);",
+                                           "settable_tool (3, 1, \"overhang\", -1);",
+                                           "if (settable_tool (3, 1, \"length\", 501)) { M0\n}",
+                                           "settable_zs (1, 2, Z, -1001);",
+                                           "settable_zs (1, 2, \"R\", 400);"));
+
+TEST(Tables, RefuseWhatVariablesOfADialectWrite) {
+  for (const char* write : {"#5221=99999", "#2001=-5", "#2001=99999"}) {
+    MachineBench bench;
+    bench.program("p.nc", std::string("(dialect fanuc)\n") + write + "\nM30\n");
+    bench.run(1, "p.nc");
+    bench.run_to_end();
+    EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5022")) << write;
+  }
+}
+
+TEST(Tables, TellWhatIsNotPlausibleAndByWhichKey) {
+  MachineBench bench;
+  bench.program("p.nc", "G10 L2 P10 X5000\nM30\n");
+  bench.run(1, "p.nc");
+  bench.run_to_end();
+  ASSERT_EQ(bench.machine().alarms().size(), 1U);
+  EXPECT_EQ(bench.machine().alarms().front().diagnostic.message,
+            "G54.1 P1 X: 5000 mm is more than 1000 mm (offset_max)");
+}
+
+TEST(Tables, TakeWhatTheMachineFilePermits) {
+  MachineConfig config = two_channel_machine();
+  config.entry_limits = {.tool_length_min_mm = -900.0,
+                         .tool_length_max_mm = 900.0,
+                         .tool_radius_max_mm = 6000.0,
+                         .wear_max_mm = 90.0,
+                         .offset_max_mm = 99999.0};
+  MachineBench bench(std::move(config));
+  EXPECT_THAT(alarms_of("G10 L1 P3 Z-5 R5000\nG10 L2 P1 X99999\n"
+                        "settable_tool (3, 1, \"wear_length\", 80);\n",
+                        bench),
+              IsEmpty());
+}
+
 TEST(Signals, OutputsSwitchInTheirPlace) {
   MachineBench bench;
   bench.program("p.nc", "G1 X10 F6000\nM64 P3\nM62 P1\nX20\nM68 E2 Q1.5\nM65 P3\nM30\n");

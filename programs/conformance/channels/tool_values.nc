@@ -12,10 +12,10 @@ settable_tool (2, 1, "length_x", 1);
 ; expect: request write tool channel 3 2 25.4
 settable_tool (2, 1, "radius", 1);
 ; expect: request write tool channel 4 2 25.4
-settable_tool (2, 1, "wear_length", 1);
-; expect: request write tool channel 5 2 25.4
-settable_tool (2, 1, "wear_radius", 1);
-; expect: request write tool channel 6 2 25.4
+settable_tool (2, 1, "wear_length", 0.05);
+; expect: request write tool channel 5 2 1.27
+settable_tool (2, 1, "wear_radius", 0.05);
+; expect: request write tool channel 6 2 1.27
 settable_tool (2, 1, "overhang", 1);
 ; expect: request write tool channel 7 2 25.4
 settable_tool (2, 1, "orientation", 1);

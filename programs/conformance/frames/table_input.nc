@@ -27,10 +27,10 @@ G55
 G43 H1 G0 Z0
 ; expect: length H1 0 0 10
 ; expect: rapid Z0
-G10 L10 P1 Z2 X1
+G10 L10 P1 Z-2 X1
 ; expect: request write tool channel 3 1 length_x -96
-; expect: request write tool channel 1 1 length 8
-G10 L11 P1 Z2
-; expect: request write tool channel 1 1 length 308
+; expect: request write tool channel 1 1 length 12
+G10 L11 P1 Z-2
+; expect: request write tool channel 1 1 length 312
 M30
 ; expect: end and rewind

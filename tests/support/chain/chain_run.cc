@@ -101,8 +101,10 @@ Ending run(MachineKind kind, const std::string& program, Choices& choices) {
 }  // namespace
 
 channels::MachineConfig machine_of(MachineKind kind) {
-  if (kind == MachineKind::lathe) return turning_machine();
-  channels::MachineConfig machine = two_channel_machine();
+  const bool is_lathe = kind == MachineKind::lathe;
+  channels::MachineConfig machine = is_lathe ? turning_machine() : two_channel_machine();
+  machine.entry_limits = random_entries;
+  if (is_lathe) return machine;
   machine.channels[0].scheme = kind == MachineKind::five_axes ? 2 : 1;
   return machine;
 }

@@ -105,6 +105,7 @@ std::string difference(const ChannelLeft& a, const ChannelLeft& b) {
 
 channels::MachineConfig HandPlace::config() const {
   channels::MachineConfig config = shipped_machine(machine);
+  config.entry_limits = random_entries;
   for (channels::ChannelConfig& one : config.channels) {
     one.rules.dialect = dialect;
     if (one.id == channel) one.scheme = scheme;

@@ -11,7 +11,14 @@
 #include <random>
 #include <string>
 
+#include "channels/contract/entry_limits.h"
+
 namespace stanok::testing {
+
+// Of a machine that takes what random lines write into its tables: touching off where the axes
+// happen to stand makes lengths of either sign, and any value may be that of a wear.
+inline constexpr channels::EntryLimits random_entries{.tool_length_min_mm = -500.0,
+                                                      .wear_max_mm = 10.0};
 
 class Choices {
  public:
