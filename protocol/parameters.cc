@@ -109,6 +109,12 @@ const Parameter* find_parameter(const Method& method, std::string_view name) {
   return found == method.parameters.end() ? nullptr : &*found;
 }
 
+// 0 or 1; what many libraries write as false or true.
+bool is_claim(const Parameter& parameter) {
+  return parameter.type == ParameterType::integer && parameter.minimum == 0.0 &&
+         parameter.maximum == 1.0;
+}
+
 std::string known_names(const Method& method) {
   if (method.parameters.empty()) return std::string(method.name) + " takes no parameters";
   std::string text = "known are: ";
@@ -123,10 +129,11 @@ std::string known_names(const Method& method) {
 Expected<json, Failure> checked_parameters(const Method& method, const json& parameters) {
   auto named = by_name(method, parameters);
   if (!named) return named;
-  for (const auto& [name, value] : named->items()) {
+  for (auto& [name, value] : named->items()) {
     const Parameter* parameter = find_parameter(method, name);
     if (parameter == nullptr)
       return wrong("unknown parameter \"" + name + "\"; " + known_names(method));
+    if (is_claim(*parameter) && value.is_boolean()) value = value.get<bool>() ? 1 : 0;
     if (const auto reason = fault(*parameter, value)) return wrong(name + " " + *reason);
   }
   for (const Parameter& parameter : method.parameters) {

@@ -71,7 +71,10 @@ TEST_P(EveryMethod, MissesRequiredParametersAndNoOthers) {
 
 TEST_P(EveryMethod, RefusesValuesOfAnotherTypeOrBeyondTheRange) {
   for (const Parameter& parameter : GetParam().parameters) {
-    std::vector<json> wrong = {nullptr, true, json::object()};
+    const bool is_claim = parameter.type == ParameterType::integer && parameter.minimum == 0.0 &&
+                          parameter.maximum == 1.0;
+    std::vector<json> wrong = {nullptr, json::object()};
+    if (!is_claim) wrong.emplace_back(true);
     if (parameter.type == ParameterType::integer) wrong.push_back(1.5);
     if (parameter.type == ParameterType::integer || parameter.type == ParameterType::number) {
       wrong.insert(wrong.end(), {"1", parameter.minimum - 1.0, parameter.maximum + 1.0});
@@ -101,6 +104,18 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryMethod,
                            std::replace(name.begin(), name.end(), '.', '_');
                            return name;
                          });
+
+TEST(Parameters, OfClaimsMayBeFalseOrTrue) {
+  const Method& method = *find_method("tool.touch");
+  json parameters = sound_parameters(method);
+  for (const bool claim : {false, true}) {
+    parameters["confirmed"] = claim;
+    const auto checked = checked_parameters(method, parameters);
+    ASSERT_TRUE(checked);
+    EXPECT_EQ((*checked)["confirmed"], json(claim ? 1 : 0));
+    EXPECT_TRUE((*checked)["confirmed"].is_number());
+  }
+}
 
 TEST(MachineRequest, TurnsPercentIntoAFactor) {
   const auto request =
