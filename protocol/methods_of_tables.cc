@@ -65,6 +65,13 @@ constexpr Parameter offset_axis{.name = "axis",
                                 .maximum = 16,
                                 .help = "axis of the machine; R: rotation"};
 
+constexpr Parameter confirmed{
+    .name = "confirmed",
+    .type = ParameterType::integer,
+    .minimum = 0,
+    .maximum = 1,
+    .help = "1: set it even where entry_limits make value or change unlikely"};
+
 constexpr double table_bytes_max = 1e6;
 
 constexpr Parameter tables_text{.name = "tables",
@@ -106,14 +113,6 @@ constexpr Parameter touched_as{
     .choices = touch_choices,
     .help = "what the value is; required where X is shown as a diameter"};
 
-constexpr Parameter touch_confirmed{.name = "confirmed",
-                                    .type = ParameterType::integer,
-                                    .minimum = 0,
-                                    .maximum = 1,
-                                    .help =
-                                        "1: also when the value changes by more than "
-                                        "entry_limits.touch_off_max"};
-
 constexpr Parameter touched_tool{.name = "number",
                                  .type = ParameterType::integer,
                                  .presence = Presence::required,
@@ -139,14 +138,14 @@ constexpr Parameter undo_number{.name = "undo",
 constexpr std::string_view touch_result = R"({"old":"number","new":"number","undo":"integer"})";
 
 constexpr std::array of_tool{tool_number, tool_edge};
-constexpr std::array of_touched_offset{offset_name_only, touched_axis,    touched_value, touched_as,
-                                       seen_situation,   touch_confirmed, channel};
-constexpr std::array of_touched_tool{touched_tool,   touched_axis, touched_value,   touched_as,
-                                     seen_situation, touched_edge, touch_confirmed, channel};
+constexpr std::array of_touched_offset{offset_name_only, touched_axis, touched_value, touched_as,
+                                       seen_situation,   confirmed,    channel};
+constexpr std::array of_touched_tool{touched_tool,   touched_axis, touched_value, touched_as,
+                                     seen_situation, touched_edge, confirmed,     channel};
 constexpr std::array of_undo{undo_number};
-constexpr std::array of_tool_value{tool_number, tool_value, table_value, tool_edge};
-constexpr std::array of_tables{tables_text, tables_name};
-constexpr std::array of_offset_value{offset_name, offset_axis, table_value};
+constexpr std::array of_tool_value{tool_number, tool_value, table_value, tool_edge, confirmed};
+constexpr std::array of_tables{tables_text, tables_name, confirmed};
+constexpr std::array of_offset_value{offset_name, offset_axis, table_value, confirmed};
 
 constexpr auto tables_rows = std::to_array<Method>({
     {.name = "tool.list", .help = "tool table", .result = R"({"tools":["$tool"]})"},

@@ -7,6 +7,7 @@
 
 #include "daemon/desk/operator_command.h"
 #include "daemon/desk/table_loading.h"
+#include "daemon/desk/tables/entry_doubt.h"
 #include "daemon/host/unix_time.h"
 #include "daemon/report/drive_report.h"
 #include "daemon/report/inventory.h"
@@ -345,7 +346,9 @@ void Dispatch::load_tables(Call call) {
   };
   if (const auto obstacle = control_.obstacle_to_all(call.session.id))
     return log_and_answer(Unexpected<Failure>(*obstacle));
-  auto commands = commands_to_load(machine_, call.parameters["tables"].get<std::string>(), name);
+  const bool is_confirmed = call.parameters.value("confirmed", 0) != 0;
+  auto commands = commands_to_load(machine_, call.parameters["tables"].get<std::string>(), name,
+                                   is_confirmed ? Confirmed::yes : Confirmed::no);
   if (!commands) return log_and_answer(Unexpected<Failure>(commands.error()));
   submit_one_by_one(desk_, std::move(*commands), noted(call.session, log_and_answer));
 }
@@ -449,6 +452,8 @@ void Dispatch::command(const Call& call) {
     if (const auto obstacle = obstacle_to_start(machine_, event->channel, call.parameters))
       return log_and_answer(Unexpected<Failure>(*obstacle));
   }
+  if (const auto obstacle = obstacle_to_entry(machine_, *event, call.parameters))
+    return log_and_answer(Unexpected<Failure>(*obstacle));
   const bool waits = call.method.effect == protocol::Effect::begins_motion &&
                      call.parameters.value("wait", "accepted") == "done";
   Answer answer = log_and_answer;

@@ -7,6 +7,7 @@
 #include "channels/stores/live_tables.h"
 #include "config/files/tables_file.h"
 #include "config/text/config_error.h"
+#include "daemon/desk/tables/entry_doubt.h"
 #include "daemon/report/inventory.h"
 #include "protocol/json_text.h"
 
@@ -105,6 +106,22 @@ std::optional<Failure> change_of_reference_point(const TablesConfig& wanted,
   return std::nullopt;
 }
 
+// Every value that wants to be confirmed, by its row, as long as people read on.
+std::optional<Failure> doubts_about(const RunningMachine& machine, const TablesConfig& now,
+                                    const std::vector<OperatorEvent>& commands) {
+  constexpr int told_max = 20;
+  std::string text;
+  int doubts = 0;
+  for (const OperatorEvent& event : commands) {
+    const std::string doubt = doubt_of_entry(machine.file().machine, now, event.command);
+    if (doubt.empty() || ++doubts > told_max) continue;
+    text += (text.empty() ? "" : "; ") + doubt;
+  }
+  if (doubts == 0) return std::nullopt;
+  if (doubts > told_max) text += "; and " + std::to_string(doubts - told_max) + " more";
+  return Failure{FailureKind::refused, "E6095", std::move(text), 0, {}};
+}
+
 // What is left of a loading, shared by the answers of its commands.
 struct Loading {
   CommandDesk& desk;
@@ -133,7 +150,8 @@ void submit_next(const std::shared_ptr<Loading>& loading) {
 
 Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& machine,
                                                                const std::string& text,
-                                                               const std::string& name) {
+                                                               const std::string& name,
+                                                               Confirmed confirmed) {
   const TablesConfig now = machine.tables();
   TablesConfig wanted;
   try {
@@ -159,6 +177,9 @@ Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& m
           .place = channels::ShortText(std::string_view(place)), .value = value}));
     }
   }
+  if (confirmed == Confirmed::yes) return commands;
+  if (auto doubts = doubts_about(machine, now, commands))
+    return Unexpected<Failure>(std::move(*doubts));
   return commands;
 }
 

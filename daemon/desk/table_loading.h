@@ -15,9 +15,10 @@ namespace stanok::daemon {
 // The commands that make the machine's tables those of `text`, in the form of the tables file
 // (docs/reference/configuration.md#tables-file); `name` stands for the text in
 // messages. All of it is refused for one fault: E9014, or E9015 for what is fixed when the daemon
-// starts.
+// starts; and for values that are not likely, E6095, unless they are confirmed.
+enum class Confirmed { no, yes };
 [[nodiscard]] Expected<std::vector<channels::OperatorEvent>, protocol::Failure> commands_to_load(
-    RunningMachine& machine, const std::string& text, const std::string& name);
+    RunningMachine& machine, const std::string& text, const std::string& name, Confirmed confirmed);
 
 // Gives one command after the other and answers {"values": how many}, or with the refusal of the
 // first one that is refused. The desk outlives it.

@@ -741,6 +741,7 @@ class ToolMethods:
         value: float,
         *,
         edge: int | None = None,
+        confirmed: int | None = None,
     ) -> dict[str, Any]:
         """Change a value of a tool; not while a program runs.
 
@@ -751,8 +752,9 @@ class ToolMethods:
             key: which value of the tool.
             value: new value; -100000 to 100000 mm, deg.
             edge: edge of the tool; default 1; 1 to 99.
+            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
         """
-        return self._call("tool.set", _given(number=number, key=key, value=value, edge=edge))
+        return self._call("tool.set", _given(number=number, key=key, value=value, edge=edge, confirmed=confirmed))
 
     def touch(
         self,
@@ -778,14 +780,14 @@ class ToolMethods:
             situation: situation of the channel in the status that was looked at; refused where it has
                 changed since; 1 to 2147483647.
             edge: edge of the tool; default 1; 1 to 99.
-            confirmed: 1: also when the value changes by more than entry_limits.touch_off_max; 0 to 1.
+            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("tool.touch", _given(
             number=number, axis=axis, value=value, as_=as_, situation=situation, edge=edge,
             confirmed=confirmed, channel=channel))
 
-    def load(self, tables: str, *, file: str | None = None) -> dict[str, Any]:
+    def load(self, tables: str, *, file: str | None = None, confirmed: int | None = None) -> dict[str, Any]:
         """Set the tools and work offsets that a text names; not while a program runs.
 
         ``tool.load``, for the role operator.
@@ -793,8 +795,9 @@ class ToolMethods:
         Args:
             tables: tools and work offsets, as in a tables file.
             file: name of the text in messages; default: that of the file.
+            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
         """
-        return self._call("tool.load", _given(tables=tables, file=file))
+        return self._call("tool.load", _given(tables=tables, file=file, confirmed=confirmed))
 
     def save(self) -> dict[str, Any]:
         """Print tools and work offsets as a text that tool load takes.
@@ -825,7 +828,7 @@ class OffsetMethods:
         """
         return self._call("offset.list", _given())
 
-    def set(self, offset: str, axis: str, value: float) -> dict[str, Any]:
+    def set(self, offset: str, axis: str, value: float, *, confirmed: int | None = None) -> dict[str, Any]:
         """Change a work offset; not while a program runs.
 
         ``offset.set``, for the role operator.
@@ -834,8 +837,9 @@ class OffsetMethods:
             offset: work offset: G54 to G59, G59.1 to G59.3, "G54.1 P1".
             axis: axis of the machine; R: rotation.
             value: new value; -100000 to 100000 mm, deg.
+            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
         """
-        return self._call("offset.set", _given(offset=offset, axis=axis, value=value))
+        return self._call("offset.set", _given(offset=offset, axis=axis, value=value, confirmed=confirmed))
 
     def touch(
         self,
@@ -859,7 +863,7 @@ class OffsetMethods:
             as_: what the value is; required where X is shown as a diameter.
             situation: situation of the channel in the status that was looked at; refused where it has
                 changed since; 1 to 2147483647.
-            confirmed: 1: also when the value changes by more than entry_limits.touch_off_max; 0 to 1.
+            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("offset.touch", _given(

@@ -30,7 +30,7 @@ for ((life = 1; life <= kills; ++life)); do
     kill -KILL "$daemon"
   ) &
   killer=$!
-  while "${operate[@]}" offset set G54 X $((value + 1)) >/dev/null 2>&1; do value=$((value + 1)); done
+  while "${operate[@]}" offset set G54 X $((value + 1)) --confirmed 1 >/dev/null 2>&1; do value=$((value + 1)); done
   value=$((value + 1)) # it may have been taken and not answered
   wait "$killer"
   expect_end 137

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "daemon/desk/tables/entry_doubt.h"
 #include "daemon/report/status_report.h"
 
 namespace stanok::daemon {
@@ -99,38 +100,27 @@ Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters, i
   return wanted;
 }
 
-TouchDesk::Refusal TouchDesk::large_change(const json& parameters, double change, const char* unit,
-                                           int channel) const {
-  const double most = machine_.file().machine.entry_limits.touch_off_max;
-  if (std::abs(change) <= most || parameters.value("confirmed", 0) != 0) return std::nullopt;
+TouchDesk::Refusal TouchDesk::doubt(const json& parameters, const channels::OperatorCommand& entry,
+                                    const Wanted& wanted, int channel) const {
+  if (parameters.value("confirmed", 0) != 0) return std::nullopt;
+  const channels::MachineConfig& machine = machine_.file().machine;
+  const std::string reason = doubt_of_value(machine, entry);
+  if (!reason.empty()) return refused("E6093", reason + ": confirm it", channel);
+  const double most = machine.entry_limits.touch_off_max;
+  if (std::abs(wanted.expected) <= most) return std::nullopt;
   return refused("E6093",
-                 "the value would change by " + three_decimals(change) + " " + unit +
-                     ", by more than " + three_decimals(most) + " " + unit + ": confirm it",
+                 "the value would change by " + three_decimals(wanted.expected) + " " +
+                     wanted.unit + ", by more than " + three_decimals(most) + " " + wanted.unit +
+                     ": confirm it",
                  channel);
 }
 
-std::optional<double> TouchDesk::value_of(const channels::OperatorCommand& command) const {
-  const channels::TablesConfig tables = machine_.tables();
-  if (const auto* offset = std::get_if<commands::OffsetSet>(&command)) {
-    const std::string place(offset->place.view());
-    const std::size_t blank = place.rfind(' ');
-    const auto row = tables.offsets.find(place.substr(0, blank));
-    if (row == tables.offsets.end()) return 0.0;
-    const auto value = row->second.find(place.substr(blank + 1));
-    return value == row->second.end() ? 0.0 : value->second;
-  }
-  const auto* tool = std::get_if<commands::ToolSet>(&command);
-  const auto row = std::ranges::find_if(tables.tools, [&](const channels::ToolEdge& edge) {
-    return edge.number == tool->tool && edge.edge == tool->edge;
-  });
-  if (row == tables.tools.end()) return std::nullopt;
-  return tool->key.view() == "length"     ? row->length
-         : tool->key.view() == "length_x" ? row->length_x
-                                          : row->length_y;
+std::optional<double> TouchDesk::value_of(const channels::OperatorCommand& place) const {
+  return value_at(machine_.tables(), place);
 }
 
 void TouchDesk::touch_offset(const json& parameters, int channel, Answer answer) {
-  const auto found = wanted(parameters, channel);
+  auto found = wanted(parameters, channel);
   if (!found) return answer(Unexpected<Failure>(found.error()));
   const channels::MachineConfig& machine = machine_.file().machine;
   const channels::ChannelConfig& config = config_of(machine, channel);
@@ -144,15 +134,16 @@ void TouchDesk::touch_offset(const json& parameters, int channel, Answer answer)
   event.command = commands::OffsetTouch{
       .place = ShortText(place), .point_W = found->point_W, .active = terms.frame.work_offset};
   const commands::OffsetSet back{.place = ShortText(place)};
-  const double old = value_of(back).value_or(0.0);
-  const double change = terms.work_offset_B[found->axis] + found->expected - old;
-  if (const auto refusal = large_change(parameters, change, found->unit, channel))
+  const double value = terms.work_offset_B[found->axis] + found->expected;
+  found->expected = value - value_of(back).value_or(0.0);
+  const commands::OffsetSet entry{.place = back.place, .value = value};
+  if (const auto refusal = doubt(parameters, entry, *found, channel))
     return answer(Unexpected<Failure>(*refusal));
   submit(event, back, std::move(answer));
 }
 
 void TouchDesk::touch_tool(const json& parameters, int channel, Answer answer) {
-  const auto found = wanted(parameters, channel);
+  auto found = wanted(parameters, channel);
   if (!found) return answer(Unexpected<Failure>(found.error()));
   const channels::ChannelOutput output = output_of(machine_.newest_output(), channel);
   const auto& terms = *machine_.situation(output).meaning.terms;
@@ -170,8 +161,10 @@ void TouchDesk::touch_tool(const json& parameters, int channel, Answer answer) {
   if (!old)
     return answer(Unexpected<Failure>(refused("E5021", "there is no such tool or edge", channel)));
   const bool counts = terms.length.row == lang::ToolLength::Row::added;
-  const double change = found->expected - (counts ? 0.0 : *old);
-  if (const auto refusal = large_change(parameters, change, found->unit, channel))
+  if (!counts) found->expected -= *old;
+  commands::ToolSet entry = back;
+  entry.value = *old + found->expected;
+  if (const auto refusal = doubt(parameters, entry, *found, channel))
     return answer(Unexpected<Failure>(*refusal));
   channels::OperatorEvent event;
   event.channel = channel;

@@ -2,7 +2,7 @@
 // the length of a tool; said in words of the display, whatever codes are active.
 //
 // The answer holds the old and the new value and a number with which they can be exchanged again. A
-// change that is larger than the machine file thinks likely wants to be confirmed. The value itself
+// value or change that the machine file thinks unlikely wants to be confirmed. The value itself
 // is made in the cycle, where the axes stand, and only in the situation that the asker has seen.
 // Owner: the dispatch. Thread: that of the operator server.
 #pragma once
@@ -48,9 +48,11 @@ class TouchDesk {
 
   [[nodiscard]] Expected<Wanted, protocol::Failure> wanted(const nlohmann::json& parameters,
                                                            int channel) const;
-  [[nodiscard]] Refusal large_change(const nlohmann::json& parameters, double change,
-                                     const char* unit, int channel) const;
-  [[nodiscard]] std::optional<double> value_of(const channels::OperatorCommand& command) const;
+  // `entry`: the ToolSet or OffsetSet that it comes to, as far as it is known.
+  [[nodiscard]] Refusal doubt(const nlohmann::json& parameters,
+                              const channels::OperatorCommand& entry, const Wanted& wanted,
+                              int channel) const;
+  [[nodiscard]] std::optional<double> value_of(const channels::OperatorCommand& place) const;
   void submit(const channels::OperatorEvent& event, const channels::OperatorCommand& back,
               Answer answer);
 

@@ -1036,6 +1036,7 @@ export interface Methods {
       key: "length" | "length_x" | "length_y" | "radius" | "wear_length" | "wear_length_x" | "wear_radius" | "overhang" | "orientation" | "angle_front" | "angle_back";
       value: number;
       edge?: number;
+      confirmed?: number;
     };
     result: {
       accepted: boolean;
@@ -1064,6 +1065,7 @@ export interface Methods {
     params: {
       tables: string;
       file?: string;
+      confirmed?: number;
     };
     result: {
       values: number;
@@ -1103,6 +1105,7 @@ export interface Methods {
       offset: string;
       axis: string;
       value: number;
+      confirmed?: number;
     };
     result: {
       accepted: boolean;

@@ -14,9 +14,9 @@ using nlohmann::json;
 class TableLoading : public ::testing::Test {
  protected:
   std::string saved() { return bench.answer("tool.save")->value()["tables"]; }
-  // "": done; else the code of the refusal.
+  // "": done; else the code of the refusal. Values are confirmed: any are.
   std::string load(const std::string& text) {
-    answer = *bench.answer("tool.load", {{"tables", text}, {"file", "t.toml"}});
+    answer = *bench.answer("tool.load", {{"tables", text}, {"file", "t.toml"}, {"confirmed", 1}});
     return answer ? "" : answer.error().code;
   }
   double value_of(int tool, const std::string& key) {
@@ -67,15 +67,18 @@ TEST_F(TableLoading, OfASavedTextBringsEveryBitBack) {
   std::uniform_real_distribution<double> length(-900.0, 900.0);
   for (int tool = 1; tool <= 20; ++tool) {
     for (const char* key : {"length", "wear_length", "length_x"}) {
-      bench.demand("tool.set", {{"number", tool}, {"key", key}, {"value", length(random)}});
+      bench.demand("tool.set",
+                   {{"number", tool}, {"key", key}, {"value", length(random)}, {"confirmed", 1}});
     }
   }
   for (const char* offset : {"G54", "G59.3", "G54.1 P300"})
-    bench.demand("offset.set", {{"offset", offset}, {"axis", "Y"}, {"value", length(random)}});
+    bench.demand("offset.set",
+                 {{"offset", offset}, {"axis", "Y"}, {"value", length(random)}, {"confirmed", 1}});
   const std::string before = saved();
   for (int tool = 1; tool <= 20; ++tool)
-    bench.demand("tool.set", {{"number", tool}, {"key", "length"}, {"value", 1.0}});
-  bench.demand("offset.set", {{"offset", "G54"}, {"axis", "Y"}, {"value", 1.0}});
+    bench.demand("tool.set",
+                 {{"number", tool}, {"key", "length"}, {"value", 1.0}, {"confirmed", 1}});
+  bench.demand("offset.set", {{"offset", "G54"}, {"axis", "Y"}, {"value", 1.0}, {"confirmed", 1}});
   ASSERT_NE(saved(), before);
   EXPECT_EQ(load(before), "");
   EXPECT_EQ(answer.value()["values"], 21);
