@@ -9,6 +9,7 @@
 
 #include "base/catalogue.h"
 #include "client/operator/channel_text.h"
+#include "client/operator/confirmation.h"
 #include "client/operator/operator_client.h"
 #include "client/operator/result_text.h"
 #include "client/operator/run_progress.h"
@@ -190,6 +191,23 @@ OperatorCall with_its_age(OperatorCall call, const json& hello) {
   return call;
 }
 
+// What the daemon thinks unlikely is asked of people, and given again.
+Expected<json, Failure> answer_to(OperatorClient& client, const OperatorCall& call,
+                                  OperatorClient::Deadline deadline) {
+  const std::string method(call.method->name);
+  auto result = client.call(method, call.parameters, deadline);
+  if (result || !wants_confirmation(call, result.error())) return result;
+  if (!is_confirmed(call, result.error())) return result;
+  json parameters = call.parameters;
+  parameters["confirmed"] = 1;
+  return client.call(method, parameters, deadline_of(call));
+}
+
+void show_refusal(const OperatorCall& call, const Failure& failure) {
+  show_failure(failure, call.form);
+  if (wants_confirmation(call, failure)) write_message("  to confirm it: --confirmed 1\n");
+}
+
 // Whatever the daemon is busy with. Where no answer comes, people are told soon, and it is waited
 // on.
 int stop(const OperatorCall& call) {
@@ -232,10 +250,10 @@ int run_operator_call(const OperatorCall& given) {
   RunProgress progress(call.parameters.value("channel", 0.0), client.hello());
   const bool is_followed = waits_for_the_end(call) || call.method->course == Course::moves_axes;
   if (is_followed && terminal.is_terminal()) progress.follow(client);
-  const auto result = client.call(std::string(call.method->name), call.parameters, deadline);
+  const auto result = answer_to(client, call, deadline);
   progress.clear();
   if (!result) {
-    show_failure(result.error(), call.form);
+    show_refusal(call, result.error());
     return exit_code(result.error().kind);
   }
   show_result(call, *result);
