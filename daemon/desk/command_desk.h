@@ -16,7 +16,7 @@
 #include "base/expected.h"
 #include "channels/contract/operator_event.h"
 #include "daemon/cycle/running_machine.h"
-#include "daemon/desk/table_watch.h"
+#include "daemon/desk/tables/table_watch.h"
 #include "daemon/report/channel_notes.h"
 #include "protocol/failure.h"
 

@@ -1,5 +1,5 @@
 // Who changed what of tools and offsets, and when what loaded programs lead through is another one.
-#include "daemon/desk/table_watch.h"
+#include "daemon/desk/tables/table_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "daemon/desk/table_watch.h"
+#include "daemon/desk/tables/table_watch.h"
 
 #include <fmt/format.h>
 
