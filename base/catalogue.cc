@@ -387,6 +387,10 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "give the command again"},
     {"E9025", "a change is in force, but the disk does not keep it", Reaction::warning,
      "check rights and space of the state directory", "nothing: it is tried again"},
+    {"E9026", "something is not recorded", Reaction::warning,
+     "the text names the disk and the reason: make room there, check rights, or change logs_max_gb "
+     "and free_space_min_gb of [recorder]; log status shows what is kept",
+     "motion is not affected; a new log begins when there is room"},
     {"E9101", "the control file of a grinding cycle cannot be read", Reaction::warning,
      "the text names the line and what is expected there; docs/programmer/grinding.md describes "
      "the format",

@@ -19,6 +19,10 @@ struct RecorderConfig {
   std::filesystem::path directory;  // empty: below the state directory
   int size_mb = 1024;               // of one log file before the next begins
   double flight_s = 60.0;           // kept in memory for the case of a fault; 0: nothing
+  // Of all logs and flight files of the machine together; 0: no bound.
+  double logs_max_gb = 20.0;
+  double logs_max_days = 90.0;
+  double free_space_min_gb = 1.0;  // that they leave free on their disk
 };
 
 // [process]: force control of the channels that have it.

@@ -21,6 +21,9 @@ struct RecorderFile {
   std::string directory;
   int size_mb = RecorderConfig{}.size_mb;
   double flight_s = RecorderConfig{}.flight_s;
+  double logs_max_gb = RecorderConfig{}.logs_max_gb;
+  double logs_max_days = RecorderConfig{}.logs_max_days;
+  double free_space_min_gb = RecorderConfig{}.free_space_min_gb;
 };
 
 const Keys<BusFile>& bus_keys() {
@@ -55,11 +58,22 @@ const Keys<RecorderFile>& recorder_keys() {
       {"directory", at<&RecorderFile::directory>, optional, "", "where logs are written", any,
        "below the state directory"},
       {"size_mb", at<&RecorderFile::size_mb>, optional, "MB",
-       "size of one log file before the next begins", from(1, 1e6)},
+       "size of one log file before the next begins; at most a quarter of logs_max_gb",
+       from(1, 1e6)},
       {"flight_s", at<&RecorderFile::flight_s>, optional, "s",
        "how much is kept in memory and written to a file when a fault stops the machine; 0: "
        "nothing",
        from(0, 600)},
+      {"logs_max_gb", at<&RecorderFile::logs_max_gb>, optional, "GB",
+       "size of all logs and flight files of the machine together: the oldest are removed; 0: no "
+       "bound",
+       from(0, 1e6)},
+      {"logs_max_days", at<&RecorderFile::logs_max_days>, optional, "d",
+       "age above which they are removed; 0: no bound", from(0, 36500)},
+      {"free_space_min_gb", at<&RecorderFile::free_space_min_gb>, optional, "GB",
+       "what they leave free on their disk: the oldest are removed, and where that is not enough "
+       "nothing is logged; 0: nothing",
+       from(0, 1e6)},
   };
   return keys;
 }
@@ -195,7 +209,12 @@ std::string read_lcm_url(const toml::table& table, const Scope& scope) {
 RecorderConfig read_recorder(const toml::table& table, const Scope& scope) {
   RecorderFile file;
   read_table(table, recorder_keys(), file, scope);
-  return {.directory = file.directory, .size_mb = file.size_mb, .flight_s = file.flight_s};
+  return {.directory = file.directory,
+          .size_mb = file.size_mb,
+          .flight_s = file.flight_s,
+          .logs_max_gb = file.logs_max_gb,
+          .logs_max_days = file.logs_max_days,
+          .free_space_min_gb = file.free_space_min_gb};
 }
 
 channels::EntryLimits read_entry_limits(Subtable table, const channels::MachineConfig& machine,

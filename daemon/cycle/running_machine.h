@@ -26,6 +26,16 @@ namespace stanok::daemon {
 
 class Scope;
 
+// The logs and flight files that the disk keeps, and their bounds; a bound of 0 is none.
+struct KeptLogsStatus {
+  std::int64_t files = 0;
+  std::int64_t bytes = 0;
+  std::int64_t bytes_max = 0;
+  std::int64_t age_max_s = 0;
+  std::optional<std::int64_t> free_bytes;  // on their disk; nothing: it does not say
+  std::int64_t free_bytes_min = 0;
+};
+
 // Where the records of the machine go.
 struct RecordingStatus {
   std::string lcm_url;  // empty: switched off
@@ -36,7 +46,9 @@ struct RecordingStatus {
   std::string log_file;  // empty: no log is written
   std::int64_t log_bytes = 0;
   std::int64_t log_events = 0;
-  std::string log_error;  // why logging stopped; empty: it did not
+  std::string log_error;   // why logging stopped; empty: it did not
+  bool log_rests = false;  // it goes on when there is room
+  KeptLogsStatus kept;
   bool workpieces_allowed = false;
   std::string flight_file;  // what the flight recorder wrote last; empty: nothing
 };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "daemon/publish/log_retention.h"
 
 namespace stanok::daemon {
 namespace {
@@ -20,11 +21,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t flights_max = 10;  // files; older ones are removed
 
 // By the time of writing: of one second the names do not sort by time.
-void keep_newest(const fs::path& directory, const std::string& name) {
+void keep_newest(const fs::path& directory, const std::string& machine) {
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(directory, error)) {
-    if (!entry.path().filename().string().starts_with(name + "-")) continue;
+    const auto name = log_file_name_of(entry.path().filename().string(), machine);
+    if (!name || !name->is_flight) continue;
     std::error_code gone;
     files.emplace_back(fs::last_write_time(entry.path(), gone), entry.path());
   }
@@ -34,11 +36,10 @@ void keep_newest(const fs::path& directory, const std::string& name) {
 
 }  // namespace
 
-FlightFiles::FlightFiles(fs::path directory, std::string name,
-                         std::function<void(const fs::path&)> written)
+FlightFiles::FlightFiles(fs::path directory, std::string machine, Calls calls)
     : directory_(std::move(directory)),
-      name_(std::move(name)),
-      written_(std::move(written)),
+      machine_(std::move(machine)),
+      calls_(std::move(calls)),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 FlightFiles::~FlightFiles() = default;
@@ -62,22 +63,32 @@ void FlightFiles::run(const std::stop_token& stop) {
     try {
       write_now(*next_);
     } catch (const std::exception& fault) {
-      spdlog::error("the flight recorder: {}", fault.what());
+      fail(fault.what());
     }
     lock.lock();
     next_.reset();
   }
 }
 
+void FlightFiles::fail(const std::string& why) const {
+  spdlog::error("the flight recorder: {}", why);
+  calls_.failed("the flight recorder has written nothing: " + why);
+}
+
 void FlightFiles::write_now(const recording::FlightRecording& recording) const {
-  const fs::path file = log_file_name(directory_, name_);
+  const std::string no_room = calls_.make_room(recording.bytes());
+  if (!no_room.empty()) return fail(no_room);
+  const fs::path file = log_file_name(directory_, machine_ + "-flight");
   std::error_code error;
   fs::create_directories(directory_, error);
   const auto written = recording.write(file);
-  if (!written) return spdlog::error("the flight recorder: {}", written.error().text);
-  keep_newest(directory_, name_);
+  if (!written) {
+    fs::remove(file, error);
+    return fail(written.error().text);
+  }
+  keep_newest(directory_, machine_);
   spdlog::warn("a fault has stopped the machine: its last seconds are in {}", file.string());
-  written_(file);
+  calls_.written(file);
 }
 
 fs::path log_file_name(const fs::path& directory, const std::string& name) {

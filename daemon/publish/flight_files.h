@@ -5,6 +5,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <mutex>
@@ -18,10 +19,16 @@ namespace stanok::daemon {
 
 class FlightFiles {
  public:
-  // Files are DIR/NAME-YYYYMMDD-HHMMSS.lcm; the ten newest are kept. `written` is told of each
-  // from the thread that writes.
-  FlightFiles(std::filesystem::path directory, std::string name,
-              std::function<void(const std::filesystem::path&)> written);
+  // All are called from the thread that writes.
+  struct Calls {
+    // Makes room for a file of that size. Why there is none; empty: there is.
+    std::function<std::string(std::int64_t bytes)> make_room;
+    std::function<void(const std::filesystem::path&)> written;
+    std::function<void(const std::string& why)> failed;
+  };
+
+  // Files are DIR/NAME-flight-YYYYMMDD-HHMMSS.lcm; the ten newest are kept.
+  FlightFiles(std::filesystem::path directory, std::string machine, Calls calls);
   // Writes what was given first.
   ~FlightFiles();
   FlightFiles(const FlightFiles&) = delete;
@@ -35,10 +42,11 @@ class FlightFiles {
  private:
   void run(const std::stop_token& stop);
   void write_now(const recording::FlightRecording& recording) const;
+  void fail(const std::string& why) const;
 
   std::filesystem::path directory_;
-  std::string name_;
-  std::function<void(const std::filesystem::path&)> written_;
+  std::string machine_;
+  Calls calls_;
   std::mutex mutex_;
   std::condition_variable_any news_;
   std::optional<recording::FlightRecording> next_;  // until it is written

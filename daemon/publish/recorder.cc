@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -19,17 +20,12 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t refresh_period_us = 200'000;
 constexpr std::int64_t reopen_periods = 10;  // what is closed or gone is tried again
-constexpr std::int64_t bytes_per_mb = 1'000'000;
 constexpr std::int64_t us_per_s = 1'000'000;
 constexpr std::int64_t flight_after_us = 2'000'000;  // what a fault leads to belongs to it
 
 std::int64_t wall_clock_us() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-}
-
-std::string flight_name(const std::string& machine) {
-  return machine + "-flight";
 }
 
 bool stops_the_machine(const channels::Event& event) {
@@ -41,8 +37,10 @@ bool stops_the_machine(const channels::Event& event) {
 
 Recorder::Recorder(const config::MachineFile& file, const std::string& build,
                    const RecorderOptions& options)
-    : logs_(options.log_directory, file.machine.name, file.recorder.size_mb * bytes_per_mb),
-      cycle_us_(file.machine.cycle_us),
+    : retention_(options.log_directory, file.machine.name, log_limits_of(file.recorder),
+                 options.disk),
+      logs_(options.log_directory, file.machine.name, retention_.limits().piece_bytes_max,
+            [this](const std::string& why) { note_trouble(why); }),
       refresh_period_(std::max<std::int64_t>(1, refresh_period_us / file.machine.cycle_us)) {
   std::vector<recording::MessageSink*> sinks{&logs_.sink()};
   if (options.lcm_url) {
@@ -57,17 +55,48 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
         static_cast<std::int64_t>(file.recorder.flight_s * us_per_s));
     sinks.push_back(flight_.get());
     flight_files_ =
-        std::make_unique<FlightFiles>(options.log_directory, flight_name(file.machine.name),
-                                      [this](const auto& made) { note_flight(made); });
+        std::make_unique<FlightFiles>(options.log_directory, file.machine.name, calls_of_flight());
   }
   auto description = runtime::description_of(file, std::string(protocol::version), build);
   description.utime_start = wall_clock_us();
+  logs_.set_room(retention_.tidy({}).no_room);
   if (options.logs_from_start) logs_.begin(description.utime_start);
   stream_ = std::make_unique<recording::MessageStream>(std::move(description), std::move(sinks));
   runtime::record_setup({}, file, *stream_);
   status_.log_directory = options.log_directory;
   refresh_publisher_status();
   logs_.flush();
+  disk_thread_ = std::jthread([this, period = options.disk_period](const std::stop_token& stop) {
+    look_after_disk(stop, period);
+  });
+}
+
+FlightFiles::Calls Recorder::calls_of_flight() {
+  return {.make_room =
+              [this](std::int64_t bytes) {
+                return retention_.tidy(logs_.status().file, bytes).no_room;
+              },
+          .written = [this](const fs::path& file) { note_flight(file); },
+          .failed = [this](const std::string& why) { note_trouble(why); }};
+}
+
+void Recorder::look_after_disk(const std::stop_token& stop, std::chrono::milliseconds period) {
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  while (!never.wait_for(lock, stop, period, [] { return false; }) && !stop.stop_requested())
+    logs_.set_room(retention_.tidy(logs_.status().file).no_room);
+}
+
+void Recorder::note_trouble(const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  trouble_.told ? trouble_.told(why) : trouble_.untold.push_back(why);
+}
+
+void Recorder::tell_trouble_to(LogFiles::Trouble told) {
+  const std::lock_guard lock(mutex_);
+  trouble_.told = std::move(told);
+  for (const std::string& why : std::exchange(trouble_.untold, {})) trouble_.told(why);
 }
 
 Recorder::~Recorder() {
@@ -78,14 +107,15 @@ Recorder::~Recorder() {
 }
 
 std::int64_t Recorder::utime() const {
-  return stream_->description().utime_start + cycle_ * cycle_us_;
+  const recording::LogDescription& log = stream_->description();
+  return log.utime_start + cycle_ * log.cycle_us;
 }
 
 void Recorder::on_output(const channels::CycleOutput& output) {
   cycle_ = output.cycle;
   stream_->allow_workpieces(workpieces_allowed_);
   logs_.turn(utime());
-  if (has_new_paths_.load(std::memory_order_acquire)) take_new_paths();
+  if (new_paths_.are_there.load(std::memory_order_acquire)) take_new_paths();
   stream_->cycle(output);
   if (flight_due_cycle_ > 0 && cycle_ >= flight_due_cycle_) write_flight();
   if (output.cycle % refresh_period_ != 0) return;
@@ -102,24 +132,24 @@ void Recorder::open_bus_again() {
 }
 
 void Recorder::show_path(recording::PathPreview path) {
-  const std::lock_guard lock(paths_mutex_);
-  new_paths_.push_back(std::move(path));
-  has_new_paths_.store(true, std::memory_order_release);
+  const std::lock_guard lock(new_paths_.mutex);
+  new_paths_.paths.push_back(std::move(path));
+  new_paths_.are_there.store(true, std::memory_order_release);
 }
 
 // Who shows them runs when nothing else wants to: it is not waited for, there is a next output.
 void Recorder::take_new_paths() {
-  const std::unique_lock lock(paths_mutex_, std::try_to_lock);
+  const std::unique_lock lock(new_paths_.mutex, std::try_to_lock);
   if (!lock) return;
-  for (recording::PathPreview& path : new_paths_) stream_->path(std::move(path));
-  new_paths_.clear();
-  has_new_paths_ = false;
+  for (recording::PathPreview& path : new_paths_.paths) stream_->path(std::move(path));
+  new_paths_.paths.clear();
+  new_paths_.are_there = false;
 }
 
 void Recorder::on_event(const channels::Event& event) {
   stream_->event(event);
   if (flight_ && flight_due_cycle_ == 0 && stops_the_machine(event))
-    flight_due_cycle_ = event.cycle + flight_after_us / cycle_us_;
+    flight_due_cycle_ = event.cycle + flight_after_us / stream_->description().cycle_us;
 }
 
 // Again in the next cycle while the file before is still being written.
@@ -144,6 +174,17 @@ void Recorder::refresh_publisher_status() {
   status_.lcm_lost = lcm.lost;
 }
 
+KeptLogsStatus Recorder::kept_logs() const {
+  const KeptLogs kept = retention_.kept();
+  const LogLimits& limits = retention_.limits();
+  return {.files = kept.files,
+          .bytes = kept.bytes,
+          .bytes_max = limits.bytes_max,
+          .age_max_s = limits.age_max.count(),
+          .free_bytes = kept.free_bytes,
+          .free_bytes_min = limits.free_bytes_min};
+}
+
 RecordingStatus Recorder::status() const {
   LogFileStatus log = logs_.status();
   const std::lock_guard lock(mutex_);
@@ -152,6 +193,8 @@ RecordingStatus Recorder::status() const {
   status.log_bytes = log.bytes;
   status.log_events = log.events;
   status.log_error = std::move(log.error);
+  status.log_rests = log.rests;
+  status.kept = kept_logs();
   status.workpieces_allowed = workpieces_allowed_;
   return status;
 }

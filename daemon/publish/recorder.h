@@ -2,21 +2,26 @@
 // in memory, which become a file when a fault stops the machine.
 //
 // A listener of the publisher thread. Neither a bus that cannot be opened nor a full disk stops
-// anything: both are told once and shown in the status.
+// anything: both are told once and shown in the status. A thread of its own keeps what is written
+// within its bounds.
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "config/files/machine_file.h"
 #include "daemon/cycle/running_machine.h"
 #include "daemon/publish/flight_files.h"
 #include "daemon/publish/log_files.h"
+#include "daemon/publish/log_retention.h"
 #include "daemon/publish/publisher_thread.h"
 #include "recording/log/flight_recorder.h"
 #include "recording/stream/message_stream.h"
@@ -28,6 +33,8 @@ struct RecorderOptions {
   std::optional<std::string> lcm_url;   // nothing: no LCM
   std::filesystem::path log_directory;  // of logs and of what the flight recorder writes
   bool logs_from_start = false;
+  LogDisk disk = disk_of_this_computer();
+  std::chrono::milliseconds disk_period = std::chrono::seconds(5);  // between two looks at it
 };
 
 class Recorder final : public CycleListener {
@@ -49,6 +56,8 @@ class Recorder final : public CycleListener {
   void ask_for_situations(recording::MessageStream::Situations situations) {
     stream_->ask_for_situations(std::move(situations));
   }
+  // Whom to tell why something is not recorded, from any thread; also of what was before. Once.
+  void tell_trouble_to(LogFiles::Trouble told);
   // Any thread: start, stop.
   [[nodiscard]] LogFiles& logs() { return logs_; }
   // Any thread.
@@ -61,13 +70,17 @@ class Recorder final : public CycleListener {
  private:
   void take_new_paths();
   void write_flight();
+  [[nodiscard]] FlightFiles::Calls calls_of_flight();
+  void note_trouble(const std::string& why);
+  void look_after_disk(const std::stop_token& stop, std::chrono::milliseconds period);
   void note_flight(const std::filesystem::path& file);
   void open_bus_again();
   void refresh_publisher_status();
   [[nodiscard]] std::int64_t utime() const;
+  [[nodiscard]] KeptLogsStatus kept_logs() const;
 
+  LogRetention retention_;
   LogFiles logs_;
-  std::int64_t cycle_us_;
   std::unique_ptr<recording::Publisher> publisher_;
   std::unique_ptr<recording::FlightRecorder> flight_;
   std::unique_ptr<recording::MessageStream> stream_;
@@ -76,12 +89,21 @@ class Recorder final : public CycleListener {
   std::int64_t flight_due_cycle_ = 0;  // 0: nothing has happened
   std::atomic<bool> workpieces_allowed_{false};
 
-  std::atomic<bool> has_new_paths_{false};
-  std::mutex paths_mutex_;
-  std::vector<recording::PathPreview> new_paths_;
-  mutable std::mutex mutex_;                   // of the status
-  RecordingStatus status_;                     // but for the log
-  std::unique_ptr<FlightFiles> flight_files_;  // last: its thread writes into the status
+  struct NewPaths {
+    std::atomic<bool> are_there{false};
+    std::mutex mutex;
+    std::vector<recording::PathPreview> paths;
+  };
+  NewPaths new_paths_;
+  mutable std::mutex mutex_;  // of what stands behind it
+  RecordingStatus status_;    // but for the log
+  struct Trouble {
+    LogFiles::Trouble told;
+    std::vector<std::string> untold;
+  };
+  Trouble trouble_;
+  std::unique_ptr<FlightFiles> flight_files_;  // these last: their threads use the members above
+  std::jthread disk_thread_;
 };
 
 }  // namespace stanok::daemon

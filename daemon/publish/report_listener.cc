@@ -5,15 +5,13 @@
 #include <chrono>
 
 namespace stanok::daemon {
-namespace {
 
-void tell_once(const char* what, const std::string& fault, bool& has_told) {
+void ReportListener::tell_once(const char* what, const std::string& fault, bool& has_told) const {
   if (fault.empty() || has_told) return;
   spdlog::warn("{} are not written: {}", what, fault);
+  if (trouble_) trouble_(std::string(what) + " are not written: " + fault);
   has_told = true;
 }
-
-}  // namespace
 
 void ReportListener::on_event(const channels::Event& event) {
   const auto now = std::chrono::system_clock::now().time_since_epoch();

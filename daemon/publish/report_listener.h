@@ -5,7 +5,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "daemon/publish/publisher_thread.h"
 #include "recording/log/measurement_files.h"
@@ -21,8 +23,15 @@ class ReportListener final : public CycleListener {
         printed_(directory, machine + "-printed") {}
 
   void on_event(const channels::Event& event) override;
+  // Whom to tell why something is not written. Before the first event.
+  void tell_trouble_to(std::function<void(const std::string& why)> told) {
+    trouble_ = std::move(told);
+  }
 
  private:
+  void tell_once(const char* what, const std::string& fault, bool& has_told) const;
+
+  std::function<void(const std::string&)> trouble_;
   recording::MeasurementFiles measurements_;
   recording::PrintedFile printed_;
   bool has_told_measurements_ = false;

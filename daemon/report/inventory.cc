@@ -103,6 +103,25 @@ json workpiece_status(RunningMachine& machine) {
           {"workpieces", std::move(workpieces)}};
 }
 
+namespace {
+
+// A bound that is none is null.
+json bound(std::int64_t value) {
+  return value == 0 ? json(nullptr) : json(value);
+}
+
+json kept_json(const KeptLogsStatus& kept) {
+  constexpr std::int64_t s_per_hour = 3600;
+  return {{"files", kept.files},
+          {"bytes", kept.bytes},
+          {"bytes_max", bound(kept.bytes_max)},
+          {"hours_max", bound(kept.age_max_s / s_per_hour)},
+          {"free_bytes", kept.free_bytes ? json(*kept.free_bytes) : json(nullptr)},
+          {"free_bytes_min", bound(kept.free_bytes_min)}};
+}
+
+}  // namespace
+
 json log_status(RunningMachine& machine) {
   const RecordingStatus status = machine.recording_status();
   const auto text = [](const std::string& value) {
@@ -117,7 +136,9 @@ json log_status(RunningMachine& machine) {
            {{"path", text(status.log_file)},
             {"bytes", status.log_bytes},
             {"events", status.log_events},
-            {"error", text(status.log_error)}}},
+            {"error", text(status.log_error)},
+            {"rests", status.log_rests}}},
+          {"kept", kept_json(status.kept)},
           {"flight", text(status.flight_file)},
           {"outputs_lost", machine.outputs_lost()},
           {"inputs_lost", machine.inputs_lost()}};

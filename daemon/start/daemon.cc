@@ -78,6 +78,23 @@ void protect_files_from_others() {
   if ((given & S_IWOTH) != 0) ::umask(given);
 }
 
+// What cannot be recorded is told to operators while this lives.
+class TroubleOfRecording {
+ public:
+  TroubleOfRecording(Recorder& recorder, ReportListener& reports, MachineHistory& history)
+      : recorder_(recorder) {
+    const auto tell = [&history](const std::string& why) { history.tell("E9026", why); };
+    recorder.tell_trouble_to(tell);
+    reports.tell_trouble_to(tell);
+  }
+  ~TroubleOfRecording() { recorder_.tell_trouble_to({}); }
+  TroubleOfRecording(const TroubleOfRecording&) = delete;
+  TroubleOfRecording& operator=(const TroubleOfRecording&) = delete;
+
+ private:
+  Recorder& recorder_;
+};
+
 // The real-time thread; its rights are taken before its first cycle and told once.
 class RealTimeThread {
  public:
@@ -169,6 +186,7 @@ int run_daemon(const DaemonOptions& options) {
   recorder.ask_for_situations(
       [&machine](const channels::ChannelOutput& output) { return machine.situation(output); });
   MachineHistory history(state.path(), machine, assembly.machine());
+  const TroubleOfRecording trouble(recorder, reports, history);
   KeptState kept(state.path(), machine,
                  [&history](std::string_view what, const std::string& fault) {
                    history.tell_not_kept(std::string(what), fault);

@@ -59,13 +59,17 @@ void MachineHistory::begin() {
                  [this](const std::string& fault) { tell_not_kept("the journal", fault); });
 }
 
-void MachineHistory::tell_not_kept(const std::string& what, const std::string& fault) {
+void MachineHistory::tell(std::string_view code, const std::string& text) {
   channels::AlarmReport alarm;
   alarm.channel = machine_.file().machine.channels.front().id;
   alarm.at = unix_time_s();
-  alarm.diagnostic.code = "W940";
-  alarm.diagnostic.message = what + " cannot be kept: " + fault;
+  alarm.diagnostic.code = code;
+  alarm.diagnostic.message = text;
   reports_.note(std::move(alarm));
+}
+
+void MachineHistory::tell_not_kept(const std::string& what, const std::string& fault) {
+  tell("W940", what + " cannot be kept: " + fault);
 }
 
 }  // namespace stanok::daemon

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "channels/machine/machine.h"
 #include "daemon/cycle/running_machine.h"
@@ -26,6 +27,9 @@ class MachineHistory {
   [[nodiscard]] Journal& journal() { return journal_; }
   // From now on it is written, also what was found at the start.
   void begin();
+  // An alarm that no cycle raises; it stands in the first channel, as operators look at channels.
+  // Any thread.
+  void tell(std::string_view code, const std::string& text);
   // Something (`what`) is not on the disk. Any thread.
   void tell_not_kept(const std::string& what, const std::string& fault);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/place.h"
+#include "recording/log/log_reader.h"
 
 namespace stanok::recording {
 namespace {
@@ -59,6 +60,14 @@ std::size_t FlightRecorder::bytes() const {
   std::size_t sum = 0;
   for (const Kept& kept : seconds_) sum += kept.second->bytes.size();
   return sum;
+}
+
+std::int64_t FlightRecording::bytes() const {
+  constexpr std::size_t name_about = 64;
+  std::size_t sum = 0;
+  for (const auto& second : seconds_)
+    sum += second->bytes.size() + second->entries.size() * (event_header_bytes + name_about);
+  return static_cast<std::int64_t>(sum);
 }
 
 Expected<std::int64_t, LogError> FlightRecording::write(const std::filesystem::path& file) const {

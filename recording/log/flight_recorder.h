@@ -28,6 +28,8 @@ class FlightRecording {
  public:
   // Number of messages written. Any thread.
   [[nodiscard]] Expected<std::int64_t, LogError> write(const std::filesystem::path& file) const;
+  // Of such a file, about.
+  [[nodiscard]] std::int64_t bytes() const;
 
  private:
   friend class FlightRecorder;

@@ -126,6 +126,9 @@ url = "udpm://239.255.76.67:7668?ttl=1"
 [recorder]
 directory = "logs"
 size_mb = 64
+logs_max_gb = 2.5
+logs_max_days = 7
+free_space_min_gb = 0.5
 [process]
 feed_min = 0.5
 feed_max = 20
@@ -281,6 +284,9 @@ TEST_F(FullFile, BusAndServicesAreRead) {
   EXPECT_EQ(file_.lcm_url, "udpm://239.255.76.67:7668?ttl=1");
   EXPECT_EQ(file_.recorder.directory, files_.folder() / "logs");
   EXPECT_EQ(file_.recorder.size_mb, 64);
+  EXPECT_EQ(file_.recorder.logs_max_gb, 2.5);
+  EXPECT_EQ(file_.recorder.logs_max_days, 7.0);
+  EXPECT_EQ(file_.recorder.free_space_min_gb, 0.5);
   EXPECT_EQ(file_.process.control.feed_min, 0.5);
   EXPECT_EQ(file_.process.control.feed_max, 20.0);
   EXPECT_EQ(file_.process.control.vibration_level_um, 3.0);

@@ -131,6 +131,12 @@ class FakeMachine final : public RunningMachine {
     RecordingStatus status;
     status.workpieces_allowed = workpieces_allowed;
     status.log_directory = logs;
+    status.kept = {.files = 7,
+                   .bytes = 70,
+                   .bytes_max = 1000,
+                   .age_max_s = 48 * 3600,
+                   .free_bytes = 5000,
+                   .free_bytes_min = 0};
     return status;
   }
   void allow_workpieces(bool allowed) override { workpieces_allowed = allowed; }

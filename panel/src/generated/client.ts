@@ -1516,8 +1516,18 @@ export interface Methods {
         error: string | null;
         events: number;
         path: string | null;
+        rests: boolean;
       };
       flight: string | null;
+      inputs_lost: number;
+      kept: {
+        bytes: number;
+        bytes_max: number | null;
+        files: number;
+        free_bytes: number | null;
+        free_bytes_min: number | null;
+        hours_max: number | null;
+      };
       lcm: {
         lost: number;
         open: boolean;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -81,6 +82,63 @@ TEST_F(RecorderTest, SendsThePathThatAProgramWillTake) {
   const bool has_path = std::ranges::any_of(
       contents->channels, [](const auto& channel) { return channel.first.ends_with("CH1_PATH"); });
   EXPECT_TRUE(has_path);
+}
+
+// On a disk that others fill and empty: the log ends before it is full, the operator hears of it,
+// flight files wait too, and a new log begins when there is room.
+TEST(RecorderOnAFullDisk, RestsSaysSoAndGoesOn) {
+  const stanok::testing::TemporaryDirectory folder;
+  config::MachineFile file = two_channel_machine();
+  file.recorder.free_space_min_gb = 1.0;
+  std::atomic<std::int64_t> free_bytes{10'000'000'000};
+  LogDisk disk = disk_of_this_computer();
+  disk.free_bytes = [&](const fs::path&) { return std::optional(free_bytes.load()); };
+  Recorder recorder(file, "a compiler",
+                    {.lcm_url = {},
+                     .log_directory = folder.path(),
+                     .logs_from_start = true,
+                     .disk = disk,
+                     .disk_period = std::chrono::milliseconds(1)});
+  std::mutex mutex;
+  std::vector<std::string> troubles;
+  const auto count = [&] {
+    const std::lock_guard lock(mutex);
+    return troubles.size();
+  };
+  recorder.tell_trouble_to([&](const std::string& why) {
+    const std::lock_guard lock(mutex);
+    troubles.push_back(why);
+  });
+  channels::CycleOutput output = FakeMachine().newest_output();
+  const auto run = [&](int cycles) {
+    for (int n = 0; n < cycles; ++n) {
+      ++output.cycle;
+      recorder.on_output(output);
+    }
+  };
+  run(300);
+  const std::string first = recorder.status().log_file;
+  free_bytes = 1'000'000'001;
+  while (!recorder.status().log_rests) std::this_thread::yield();
+  run(300);
+  EXPECT_EQ(count(), 1U);
+  const auto contents = recording::read_contents(first);
+  ASSERT_TRUE(contents);
+  EXPECT_TRUE(contents->is_sound() && !contents->is_cut());
+  channels::Event fault;
+  fault.cycle = output.cycle;
+  fault.code = FixedText<8>("A1001");
+  recorder.on_event(fault);
+  run(2010);
+  while (count() < 2) std::this_thread::yield();
+  EXPECT_THAT(troubles.back(), ::testing::HasSubstr("flight recorder"));
+  EXPECT_EQ(recorder.status().flight_file, "");
+  free_bytes = 2'000'000'000;
+  while (recorder.status().log_rests) std::this_thread::yield();
+  run(300);
+  EXPECT_NE(recorder.status().log_file, first);
+  EXPECT_TRUE(fs::exists(recorder.status().log_file));
+  EXPECT_EQ(recorder.status().log_error, "");
 }
 
 TEST_F(RecorderTest, BeginsAndEndsALogOnDemand) {
