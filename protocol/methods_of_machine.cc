@@ -56,7 +56,7 @@ constexpr auto machine_rows = std::to_array<Method>({
       "rt":{"cycle_us":"$percentiles","latency_us":"$percentiles","overruns":"integer",
             "periods_skipped":"integer"},
       "real_time":{"scheduling":"string","memory_locked":"boolean","notes":["string"]},
-      "outputs_lost":"integer",
+      "outputs_lost":"integer","replies_lost":"integer","log_lines_lost":"integer",
       "channels":[{"id":"integer","name":"string","state":"string","program_status":"string"}]})"},
 
     {.name = "channel.list",

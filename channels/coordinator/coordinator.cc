@@ -264,7 +264,8 @@ void Coordinator::reply(std::uint64_t id, const Verdict& verdict) RT_SAFE {
   answer.code = verdict.code;
   answer.text = FixedText<240>(verdict.text.view());
   const bool is_of_stop = (id & stop_id_mark) != 0;
-  static_cast<void>((is_of_stop ? replies_.stops : replies_.usual).push(answer));
+  if (!(is_of_stop ? replies_.stops : replies_.usual).push(answer))
+    replies_.lost.fetch_add(1, std::memory_order_relaxed);
 }
 
 bool Coordinator::is_quiet() const RT_SAFE {

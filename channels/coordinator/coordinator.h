@@ -8,6 +8,7 @@
 // behind are the operators'.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -32,6 +33,7 @@ namespace stanok::channels {
 struct ReplyRings {
   Ring<OperatorReply>& usual;
   Ring<OperatorReply>& stops;
+  std::atomic<std::uint64_t>& lost;  // that found no room
 };
 
 struct CoordinatorTimes {

@@ -141,7 +141,8 @@ struct Machine::Parts {
         changes(changes_max(machine, options.changes_kept_s), inputs),
         watch(machine.spindles.size(), options.outputs_to_inputs ? &signals_out : nullptr,
               {inputs, changes}),
-        replies{Ring<OperatorReply>(replies_max), Ring<OperatorReply>(replies_max)} {
+        replies{.usual = Ring<OperatorReply>(replies_max),
+                .stops = Ring<OperatorReply>(replies_max)} {
     if (machine.channels.empty() || machine.channels.size() > channels_max) {
       throw std::invalid_argument("a machine has 1 to " + std::to_string(channels_max) +
                                   " channels");
@@ -157,7 +158,7 @@ struct Machine::Parts {
     coordinator = std::make_unique<Coordinator>(
         channels, owner_rules(machine),
         CoordinatorTimes{machine.cycle_us * 1e-6, machine.request_age_max_s},
-        ReplyRings{replies.usual, replies.stops},
+        ReplyRings{replies.usual, replies.stops, replies.lost},
         MachineStores{&shared, &tables, &watch.signals()});
     for (const auto& seat : seats) settle_at_start(*seat);
   }
@@ -211,6 +212,7 @@ struct Machine::Parts {
   struct {
     Ring<OperatorReply> usual;
     Ring<OperatorReply> stops;
+    std::atomic<std::uint64_t> lost{0};
   } replies;
   NumberedList<std::unique_ptr<Seat>> seats;
   std::unique_ptr<Coordinator> coordinator;
@@ -332,6 +334,13 @@ std::uint64_t Machine::inputs_lost() const RT_SAFE {
 }
 Ring<OperatorReply>& Machine::replies() {
   return parts_->replies.usual;
+}
+void Machine::answer(const OperatorReply& reply) RT_SAFE {
+  if (!parts_->replies.usual.push(reply))
+    parts_->replies.lost.fetch_add(1, std::memory_order_relaxed);
+}
+std::uint64_t Machine::replies_lost() const RT_SAFE {
+  return parts_->replies.lost.load(std::memory_order_relaxed);
 }
 Ring<OperatorReply>& Machine::stop_replies() {
   return parts_->replies.stops;

@@ -96,6 +96,10 @@ class Machine {
   [[nodiscard]] Ring<InputChange>& input_changes();
   [[nodiscard]] Ring<OperatorReply>& replies();
   [[nodiscard]] Ring<OperatorReply>& stop_replies();  // of events with stop_id_mark
+  // Of what was refused beside the cycle, in its thread. Without room it is lost, and counted.
+  void answer(const OperatorReply& reply) RT_SAFE;
+  // Replies that found no room; any thread.
+  [[nodiscard]] std::uint64_t replies_lost() const RT_SAFE;
 
   // Input records that found no place so far; any thread.
   [[nodiscard]] std::uint64_t inputs_lost() const RT_SAFE;

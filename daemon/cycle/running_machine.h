@@ -53,6 +53,13 @@ struct RecordingStatus {
   std::string flight_file;  // what the flight recorder wrote last; empty: nothing
 };
 
+// What found no room on its way out of the cycle, since the start.
+struct CycleLosses {
+  std::uint64_t outputs = 0;  // the recorder was too late for them
+  std::uint64_t inputs = 0;   // likewise
+  std::uint64_t replies = 0;  // to who had asked for something
+};
+
 class RunningMachine {
  public:
   RunningMachine() = default;
@@ -108,9 +115,7 @@ class RunningMachine {
   [[nodiscard]] virtual Scope& scope() = 0;
   [[nodiscard]] virtual LoopStatistics loop_statistics() = 0;
   [[nodiscard]] virtual RealTimeRights real_time_rights() = 0;
-  // Outputs and inputs of cycles that the recorder was too late for.
-  [[nodiscard]] virtual std::uint64_t outputs_lost() = 0;
-  [[nodiscard]] virtual std::uint64_t inputs_lost() = 0;
+  [[nodiscard]] virtual CycleLosses losses() = 0;
   // "ideal", "embedded", "real".
   [[nodiscard]] virtual std::string drive_choice() = 0;
   [[nodiscard]] virtual drives::BusStatus drive_status() = 0;

@@ -124,6 +124,7 @@ json kept_json(const KeptLogsStatus& kept) {
 
 json log_status(RunningMachine& machine) {
   const RecordingStatus status = machine.recording_status();
+  const CycleLosses losses = machine.losses();
   const auto text = [](const std::string& value) {
     return value.empty() ? json(nullptr) : json(value);
   };
@@ -140,8 +141,8 @@ json log_status(RunningMachine& machine) {
             {"rests", status.log_rests}}},
           {"kept", kept_json(status.kept)},
           {"flight", text(status.flight_file)},
-          {"outputs_lost", machine.outputs_lost()},
-          {"inputs_lost", machine.inputs_lost()}};
+          {"outputs_lost", losses.outputs},
+          {"inputs_lost", losses.inputs}};
 }
 
 json program_list(const fs::path& root, std::size_t files_max) {

@@ -8,6 +8,7 @@
 #include "base/enum_names.h"
 #include "base/place.h"
 #include "base/units.h"
+#include "daemon/host/daemon_log.h"
 #include "daemon/journal/journal_contents.h"
 #include "daemon/report/channel_display.h"
 #include "daemon/report/part_json.h"
@@ -262,6 +263,7 @@ json StatusReport::machine() const {
   const auto output = machine_.newest_output();
   const LoopStatistics statistics = machine_.loop_statistics();
   const RealTimeRights rights = machine_.real_time_rights();
+  const CycleLosses losses = machine_.losses();
   json channels = json::array();
   for (const auto& channel : config.channels) {
     const ChannelOutput of_channel = output_of(output, channel.id);
@@ -287,7 +289,9 @@ json StatusReport::machine() const {
            {{"scheduling", rights.has_fifo_scheduling ? "fifo" : "other"},
             {"memory_locked", rights.has_locked_memory},
             {"notes", rights.notes}}},
-          {"outputs_lost", machine_.outputs_lost()},
+          {"outputs_lost", losses.outputs},
+          {"replies_lost", losses.replies},
+          {"log_lines_lost", log_lines_lost()},
           {"channels", std::move(channels)}};
 }
 

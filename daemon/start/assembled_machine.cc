@@ -31,16 +31,15 @@ channels::CycleOutput before_the_first_cycle(const channels::MachineConfig& mach
   return output;
 }
 
-void refuse_overtaken(std::span<const channels::OperatorEvent> events,
-                      Ring<channels::OperatorReply>& replies) RT_SAFE {
+void refuse_overtaken(std::span<const channels::OperatorEvent> events, channels::Machine& machine)
+    RT_SAFE {
   for (const channels::OperatorEvent& event : events) {
     channels::OperatorReply reply;
     reply.id = event.id;
     reply.ok = false;
     reply.code = FixedText<8>("E6072");
     reply.text = FixedText<240>("a stop was asked for after this and came first");
-    // A full ring loses the answer, as it does in the coordinator; the desk answers in the end.
-    static_cast<void>(replies.push(reply));
+    machine.answer(reply);
   }
 }
 
@@ -51,7 +50,6 @@ AssembledMachine::AssembledMachine(runtime::Assembly& assembly, Recorder& record
                                    std::vector<std::filesystem::path> program_roots)
     : assembly_(assembly),
       machine_(assembly.machine()),
-      replies_(assembly.machine().replies()),
       recorder_(recorder),
       program_root_(std::move(program_root)),
       program_roots_(std::move(program_roots)),
@@ -73,7 +71,7 @@ void AssembledMachine::cycle(std::int64_t lost) RT_SAFE {
   const channels::CycleOutput& output = assembly_.late_cycle(lost, taken.events);
   newest_.put(output);
   cycles_.store(output.cycle, std::memory_order_release);
-  refuse_overtaken(taken.overtaken, replies_);
+  refuse_overtaken(taken.overtaken, machine_);
 }
 
 std::optional<channels::OperatorReply> AssembledMachine::stop_reply() {

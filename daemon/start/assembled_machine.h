@@ -87,8 +87,11 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   [[nodiscard]] Scope& scope() override { return scope_; }
   [[nodiscard]] LoopStatistics loop_statistics() override;
   [[nodiscard]] RealTimeRights real_time_rights() override;
-  [[nodiscard]] std::uint64_t outputs_lost() override { return assembly_.outputs_lost(); }
-  [[nodiscard]] std::uint64_t inputs_lost() override { return machine_.inputs_lost(); }
+  [[nodiscard]] CycleLosses losses() override {
+    return {.outputs = assembly_.outputs_lost(),
+            .inputs = machine_.inputs_lost(),
+            .replies = machine_.replies_lost()};
+  }
   [[nodiscard]] std::string drive_choice() override;
   [[nodiscard]] drives::BusStatus drive_status() override { return assembly_.drive_status(); }
   [[nodiscard]] bool reset_drive(const std::string& drive) override {
@@ -110,7 +113,6 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
  private:
   runtime::Assembly& assembly_;
   channels::Machine& machine_;  // of the assembly
-  Ring<channels::OperatorReply>& replies_;
   Recorder& recorder_;
   std::filesystem::path program_root_;
   std::vector<std::filesystem::path> program_roots_;

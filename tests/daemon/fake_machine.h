@@ -115,8 +115,7 @@ class FakeMachine final : public RunningMachine {
   }
   [[nodiscard]] LoopStatistics loop_statistics() override { return {}; }
   [[nodiscard]] RealTimeRights real_time_rights() override { return {}; }
-  [[nodiscard]] std::uint64_t outputs_lost() override { return 0; }
-  [[nodiscard]] std::uint64_t inputs_lost() override { return 0; }
+  [[nodiscard]] CycleLosses losses() override { return {.outputs = 0, .inputs = 0, .replies = 2}; }
   [[nodiscard]] std::string drive_choice() override { return choice; }
   [[nodiscard]] drives::BusStatus drive_status() override { return {}; }
   [[nodiscard]] bool reset_drive(const std::string& drive) override {

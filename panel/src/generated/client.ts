@@ -39,6 +39,7 @@ export interface Methods {
       cycle_us: number;
       drives: string;
       idle: boolean;
+      log_lines_lost: number;
       machine_time_s: number;
       name: string;
       on: boolean;
@@ -48,6 +49,7 @@ export interface Methods {
         notes: string[];
         scheduling: string;
       };
+      replies_lost: number;
       rt: {
         cycle_us: {
           max: number;

@@ -165,5 +165,17 @@ TEST_F(RequestGateTest, NothingMovesThatIsOlderByChance) {
   EXPECT_NEAR(x(), taken * increment, 1e-6);
 }
 
+// More answers in one cycle than anybody could take: those without room are counted.
+TEST_F(RequestGateTest, RepliesWithoutRoomAreCounted) {
+  EXPECT_EQ(bench.machine().replies_lost(), 0U);
+  const std::size_t before = bench.replies().size();
+  constexpr std::size_t asked = 300;
+  for (std::size_t n = 0; n < asked; ++n) bench.ask(event(commands::OverrideFeed{1.0}, now()));
+  cycles(3);
+  const std::size_t answered = bench.replies().size() - before;
+  EXPECT_LT(answered, asked);
+  EXPECT_EQ(bench.machine().replies_lost(), asked - answered);
+}
+
 }  // namespace
 }  // namespace stanok::channels

@@ -83,6 +83,22 @@ class DispatchTest : public ::testing::Test {
 };
 
 // Of two sessions one has channel 1; only stops of the other one pass.
+TEST_F(DispatchTest, TellsWhatWasLostOnItsWayToPeople) {
+  const json status = result("machine.status");
+  EXPECT_EQ(status["replies_lost"], 2);
+  EXPECT_TRUE(status["log_lines_lost"].is_number_unsigned());
+}
+
+TEST_F(DispatchTest, TellsWhatIsKeptOfLogsAndWithinWhichBounds) {
+  const json kept = result("log.status")["kept"];
+  EXPECT_EQ(kept["files"], 7);
+  EXPECT_EQ(kept["bytes"], 70);
+  EXPECT_EQ(kept["bytes_max"], 1000);
+  EXPECT_EQ(kept["hours_max"], 48);
+  EXPECT_EQ(kept["free_bytes"], 5000);
+  EXPECT_TRUE(kept["free_bytes_min"].is_null()) << "no bound";
+}
+
 TEST_F(DispatchTest, GivesAChannelToOneSession) {
   session.id = 3;
   session.peer = "uid 1000, pid 77";
