@@ -3,8 +3,8 @@
 // motion.
 //
 // The preparation is ahead of the motion by as many blocks as the path queue holds; a display asks
-// for the situation whose number the cycle shows. Any thread. Invariant: a number stands for one
-// meaning for ever.
+// for the situation whose number the cycle shows, and what lies far behind that is forgotten: a run
+// may last for days. Any thread. Invariant: a number stands for one meaning for ever.
 #pragma once
 
 #include <deque>
@@ -27,14 +27,20 @@ class SituationBook {
   // The meaning with the number of the tag, and where its block ends, when its run goes on. An
   // older number than those that are kept: the oldest.
   [[nodiscard]] SituationReport at(const motion::BlockTag& tag);
+  // Meanings and ends that are kept.
+  [[nodiscard]] std::size_t size();
 
  private:
   // More than the path queue and the look-ahead hold.
   static constexpr std::size_t blocks_max = 32768;
+  // Displays ask with outputs of different ages, of a second at most.
+  static constexpr std::size_t kept_behind = 1024;
   struct End {
     std::uint64_t block = 0;
     motion::Point end_W{};
   };
+
+  void forget_behind(const motion::BlockTag& tag);
 
   std::mutex mutex_;
   std::uint32_t run_ = 0;

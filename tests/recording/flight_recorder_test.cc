@@ -39,6 +39,21 @@ TEST(FlightRecorder, NeedsNoMoreMemoryLater) {
   EXPECT_LT(flight.bytes(), 2 * early);
 }
 
+// One second in seven has much to tell: not every second keeps the memory for that.
+TEST(FlightRecorder, HoldsWhatItKeepsHoweverUnlikeSecondsAre) {
+  FlightRecorder flight(5'000'000);
+  MessageStream stream(small_machine(), {&flight});
+  std::size_t kept_max = 0;
+  channels::Event event;
+  for (int cycle = 0; cycle < 100'000; ++cycle) {
+    stream.cycle(output_of(cycle));
+    event.cycle = cycle;
+    for (int n = 0; cycle / 1000 % 7 == 0 && n < 5; ++n) stream.event(event);
+    kept_max = std::max(kept_max, flight.bytes());
+  }
+  EXPECT_LT(flight.bytes_held(), kept_max + kept_max / 2);
+}
+
 // Messages of the setpoints of a file: first and last cycle, and that none is missing between.
 void expect_cycles(const std::filesystem::path& file, std::int64_t first, std::int64_t last) {
   const auto contents = read_contents(file);

@@ -65,6 +65,23 @@ TEST(SituationBookTest, ForgetsTheOldestBlocksOnly) {
   EXPECT_FALSE(book.at({.run = 2, .block = blocks}).end_W) << "of another run";
 }
 
+// A run of days, displayed: what lies behind is forgotten, what is ahead is not.
+TEST(SituationBookTest, KeepsWhatIsAheadAndLittleThatIsBehind) {
+  SituationBook book;
+  book.begin_run(1);
+  constexpr std::uint64_t ahead = 5000;
+  for (std::uint64_t block = 1; block <= 200'000; ++block) {
+    const std::uint32_t situation = book.enter({});
+    book.tell_end({.run = 1, .block = block}, {static_cast<double>(block)});
+    if (block % 100 != 0 || block <= ahead) continue;
+    const motion::BlockTag shown{.run = 1,
+                                 .block = block - ahead,
+                                 .situation = situation - static_cast<std::uint32_t>(ahead)};
+    EXPECT_EQ((*book.at(shown).end_W)[0], static_cast<double>(block - ahead));
+    EXPECT_LT(book.size(), 2 * (ahead + 1300));
+  }
+}
+
 TEST(SituationBookTest, ANumberKeepsItsMeaning) {
   SituationBook book;
   lang::Meaning inch;
