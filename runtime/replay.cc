@@ -310,6 +310,12 @@ void remark_on_bytes(const recording::LogContents& contents, ReplayResult& resul
 
 void remark_on(const recording::LogContents& contents, ReplayResult& result) {
   const auto& description = contents.description;
+  if (description && description->format > recording::log_format) {
+    result.remarks.push_back("the log has format " + std::to_string(description->format) +
+                             ", and this version reads up to " +
+                             std::to_string(recording::log_format) +
+                             ": what it leaves out may not be found");
+  }
   if (description && description->version != protocol::version) {
     result.remarks.push_back("recorded by stanok " + description->version + ", and this is " +
                              std::string(protocol::version) +

@@ -125,7 +125,7 @@ void LogFiles::turn(std::int64_t utime) {
   if (!turns_.load(std::memory_order_acquire)) return;
   const std::lock_guard lock(mutex_);
   turns_ = false;
-  if (auto* log = log_.writer()) static_cast<void>(log->finish());
+  static_cast<void>(log_.finish());
   tell_error();
   log_.turn_to(std::move(next_), utime);
   has_told_error_ = false;

@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::string_view prefix = "STANOK_";
 constexpr EnumArray<Topic, std::string_view> topics{
-    "SETPOINT",  "STATE",    "DRIVE",    "PROCESS",      "FORCE",     "EVENT", "INPUT",
-    "ARRIVAL",   "FEEDBACK", "PROGRAM",  "PROGRAM_READ", "WORKPIECE", "TOOL",  "TOOL_ROW",
-    "SITUATION", "PATH",     "LOG_META", "LOG_TYPES",    "LOG_CHECK"};
+    "SETPOINT",  "STATE",    "DRIVE",    "PROCESS",      "FORCE",     "EVENT",   "INPUT",
+    "ARRIVAL",   "FEEDBACK", "PROGRAM",  "PROGRAM_READ", "WORKPIECE", "TOOL",    "TOOL_ROW",
+    "SITUATION", "PATH",     "LOG_META", "LOG_TYPES",    "LOG_CHECK", "LOG_REST"};
 // "_CH16_" and the longest topic of a channel.
 constexpr std::size_t longest_suffix = 6 + 12;
 
@@ -40,8 +40,8 @@ ChannelNames::ChannelNames(std::string_view machine) {
 
 const std::string& ChannelNames::name(int channel, Topic topic) const {
   STANOK_ASSERT(channel >= 0 && channel <= channels::channels_max);
-  const bool is_of_machine =
-      topic == Topic::log_meta || topic == Topic::log_types || topic == Topic::log_check;
+  const bool is_of_machine = topic == Topic::log_meta || topic == Topic::log_types ||
+                             topic == Topic::log_check || topic == Topic::log_rest;
   const int owner = is_of_machine ? 0 : channel;
   return names_[owner][topic];
 }

@@ -36,7 +36,8 @@ enum class Topic {
   path,
   log_meta,
   log_types,
-  log_check
+  log_check,
+  log_rest
 };
 
 // A value for each channel, read by its number; 0 is the machine.
@@ -48,7 +49,7 @@ class ChannelNames {
   explicit ChannelNames(std::string_view machine);
 
   // `channel` 1..channels_max, or 0 for what belongs to the machine: STANOK_<MACHINE>_EVENT.
-  // LOG_META, LOG_TYPES and LOG_CHECK always belong to the machine.
+  // LOG_META, LOG_TYPES, LOG_CHECK and LOG_REST always belong to the machine.
   [[nodiscard]] const std::string& name(int channel, Topic topic) const;
 
  private:

@@ -13,6 +13,7 @@
 #include <stanok_messages/force_status_t.hpp>
 #include <stanok_messages/input_t.hpp>
 #include <stanok_messages/log_check_t.hpp>
+#include <stanok_messages/log_rest_t.hpp>
 #include <stanok_messages/path_t.hpp>
 #include <stanok_messages/process_status_t.hpp>
 #include <stanok_messages/program_chunk_t.hpp>
@@ -48,7 +49,7 @@ auto all_types() {
   return types_of<setpoint_t, channel_state_t, drive_status_t, process_status_t, force_status_t,
                   event_t, input_t, program_chunk_t, arrival_t, feedback_t, program_read_t,
                   workpiece_t, tool_t, path_t, log_meta_t, log_check_t, log_types_t, tool_row_t,
-                  situation_t>();
+                  situation_t, log_rest_t>();
 }
 
 // Puts in as many types as `message`, log_meta_t or log_types_t, has places for.
@@ -114,7 +115,7 @@ log_meta_t to_log_meta(const LogDescription& description, const Stamp& stamp) {
   meta.utime = stamp.utime;
   meta.cycle = stamp.cycle;
   meta.seq = stamp.seq;
-  meta.format = log_format;
+  meta.format = description.format;
   meta.cycle_us = description.cycle_us;
   put_text(description.version, meta.version);
   put_text(description.build, meta.build);
@@ -147,6 +148,7 @@ LogDescription from_log_meta(const log_meta_t& message) {
   description.build = text_of(message.build);
   description.libm = text_of(message.libm);
   description.config_hash = static_cast<std::uint64_t>(message.config_hash);
+  description.format = message.format;
   description.cycle_us = message.cycle_us;
   const auto channel_count = std::clamp<std::int64_t>(message.channel_count, 0, channels_in_meta);
   for (std::int64_t i = 0; i < channel_count; ++i) {

@@ -12,7 +12,8 @@
 
 namespace stanok::recording {
 
-inline constexpr int log_format = 1;
+// 1: every message stands in the file; 2: those of a machine at rest may be left out (log_rest_t).
+inline constexpr int log_format = 2;
 
 struct AxisDescription {
   std::string name;  // machine-wide, "X2"
@@ -31,6 +32,7 @@ struct LogDescription {
   std::string build;              // compiler and flags
   std::string libm;               // C library, see this_libm()
   std::uint64_t config_hash = 0;  // FNV-1a of the machine file
+  int format = log_format;
   int cycle_us = 1000;
   std::int64_t utime_start = 0;  // us of cycle 0: 0 on the virtual clock, else wall clock at start
   std::vector<ChannelDescription> channels;

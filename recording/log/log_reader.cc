@@ -33,6 +33,20 @@ Expected<LogReader, LogError> LogReader::open(const std::filesystem::path& file)
 }
 
 std::optional<LogEvent> LogReader::next() {
+  if (const auto repeated = rest_.next())
+    return LogEvent{.number = number_,
+                    .utime = repeated->utime,
+                    .channel = repeated->channel,
+                    .bytes = repeated->bytes,
+                    .offset = bytes_read()};
+  const auto event = next_in_file();
+  if (!event) return std::nullopt;
+  number_ = event->number;
+  rest_.take(event->channel, event->bytes);
+  return event;
+}
+
+std::optional<LogEvent> LogReader::next_in_file() {
   while (available(1)) {
     const auto header = header_at(0);
     if (!header || !is_whole(*header)) {

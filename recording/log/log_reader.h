@@ -1,4 +1,5 @@
-// Reads an LCM log event by event, and goes on behind a damaged place.
+// Reads an LCM log event by event, and goes on behind a damaged place. What a machine at rest says
+// again and again is left out of the file (rest_filter.h): it comes as if it stood there.
 //
 // An event is the sync word, number, time and the two lengths (big endian), the channel name, the
 // bytes. What cannot be an event is damage: the reader notes where it begins and goes on at the
@@ -18,6 +19,7 @@
 
 #include "base/expected.h"
 #include "recording/log/log_writer.h"
+#include "recording/log/rest_expansion.h"
 
 namespace stanok::recording {
 
@@ -26,8 +28,10 @@ struct LogEvent {
   std::int64_t utime = 0;   // us
   std::string_view channel;
   std::span<const std::uint8_t> bytes;
-  std::span<const std::uint8_t> whole{};  // with its header
-  std::int64_t offset = 0;                // of its first byte in the file
+  std::span<const std::uint8_t> whole{};  // with its header; empty: it was left out of the file
+  std::int64_t offset = 0;                // of its first byte in the file; where it would stand
+
+  [[nodiscard]] bool is_in_file() const { return !whole.empty(); }
 };
 
 inline constexpr std::uint32_t event_sync_word = 0xEDA1DA01;
@@ -49,7 +53,8 @@ class LogReader {
  public:
   [[nodiscard]] static Expected<LogReader, LogError> open(const std::filesystem::path& file);
 
-  // The next event, valid until the next call; nothing at the end of the file.
+  // The next event, valid until the next call; nothing at the end of the file. Behind a record of
+  // a stretch of rest come the messages that it stands for.
   [[nodiscard]] std::optional<LogEvent> next();
 
   // What was found so far, in the order of the file. Adjoining places are one.
@@ -68,6 +73,7 @@ class LogReader {
   explicit LogReader(File file) : file_(std::move(file)) {}
   [[nodiscard]] std::int64_t position() const { return static_cast<std::int64_t>(at_); }
   // Makes `count` bytes from `at_` on readable; false when the file ends before.
+  [[nodiscard]] std::optional<LogEvent> next_in_file();
   bool available(std::size_t count);
   [[nodiscard]] bool is_sync_word(std::size_t offset) const;
   // At `at_` + `offset`; nothing when it is no possible header or the file ends within it.
@@ -84,6 +90,8 @@ class LogReader {
   std::size_t at_ = 0;                // in the window: next byte that is not used up
   bool is_at_end_ = false;            // nothing is left to be read into the window
   std::vector<Damage> damage_;
+  std::int64_t number_ = 0;  // of the latest event
+  RestExpansion rest_;
 };
 
 }  // namespace stanok::recording

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <stanok_messages/log_check_t.hpp>
+#include <stanok_messages/log_rest_t.hpp>
 #include <stanok_messages/program_chunk_t.hpp>
 #include <stanok_messages/situation_t.hpp>
 #include <string_view>
@@ -62,6 +63,7 @@ const MessageType* type_on(std::string_view channel_name) {
                                 type_of<log_meta_t>(Topic::log_meta),
                                 type_of<log_types_t>(Topic::log_types),
                                 type_of<log_check_t>(Topic::log_check),
+                                type_of<log_rest_t>(Topic::log_rest),
                                 type_of<program_read_t>(Topic::program_read),
                                 type_of<path_t>(Topic::path)};
   const auto type = std::find_if(types.begin(), types.end(), [&](const MessageType& t) {
@@ -113,7 +115,7 @@ class ContentsReading::Count {
     if (is_new) channel.utime_first = event.utime;
     channel.utime_last = event.utime;
     ++channel.messages;
-    channel.bytes += static_cast<std::int64_t>(event.bytes.size());
+    if (event.is_in_file()) channel.bytes += static_cast<std::int64_t>(event.bytes.size());
     if (const MessageType* type = type_on(event.channel)) add_ours(event, *type, channel);
     return setpoint_ ? &*setpoint_ : nullptr;
   }
@@ -162,7 +164,7 @@ ContentsReading::ContentsReading() : count_(std::make_unique<Count>(contents_)) 
 ContentsReading::~ContentsReading() = default;
 
 const setpoint_t* ContentsReading::take(const LogEvent& event) {
-  checks_.take(event);
+  if (event.is_in_file()) checks_.take(event);
   const auto size = static_cast<std::int64_t>(event.whole.size());
   bytes_ = event.offset + size;
   const setpoint_t* setpoint = count_->add(event);

@@ -21,7 +21,7 @@ namespace stanok::recording {
 struct ChannelContents {
   std::string type;           // "setpoint_t"; empty: not one of ours
   std::int64_t messages = 0;  // also those that cannot be decoded
-  std::int64_t bytes = 0;     // without the headers of the log
+  std::int64_t bytes = 0;     // in the file, without the headers of the log
   std::int64_t undecodable = 0;
   std::int64_t missing = 0;  // by their running numbers, setpoints also by their cycles
   std::int64_t utime_first = 0;

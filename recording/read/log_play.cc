@@ -17,7 +17,9 @@ Expected<PlayResult, LogError> play(const std::filesystem::path& file, double sp
   PlayResult result;
   std::int64_t first_utime = 0;
   while (const auto event = reader->next()) {
-    if (topic_of(event->channel) == name_of(Topic::log_check)) continue;  // of the file alone
+    const std::string_view topic = topic_of(event->channel);
+    if (topic == name_of(Topic::log_check) || topic == name_of(Topic::log_rest))
+      continue;  // of the file alone
     if (interrupted()) break;
     if (result.messages == 0) first_utime = event->utime;
     result.recorded_s =

@@ -36,7 +36,7 @@ std::string cell(std::string text) {
 
 // One table; `undescribed` gets the fields that have no comment.
 std::string section_of(const fs::path& definition, std::vector<std::string>& undescribed) {
-  static const std::regex field(R"(^  (\w+) (\w+)((?:\[\d+\])*);\s*(?://\s*(.*))?$)");
+  static const std::regex field(R"(^  (\w+) (\w+)((?:\[\w+\])*);\s*(?://\s*(.*))?$)");
   static const std::regex comment(R"(^\s*//\s?(.*)$)");
   static const std::regex further(R"(^ {8,}//\s?(.*)$)");
   const std::string type = definition.stem().string();
