@@ -6,6 +6,7 @@
 #include "runtime/clock_gaps.h"
 #include "runtime/drive_side/drive_exchange.h"
 #include "runtime/drive_side/program_inputs.h"
+#include "runtime/drive_side/steady_feedback.h"
 #include "runtime/force_controls.h"
 #include "runtime/output_book.h"
 #include "runtime/program_files.h"
@@ -44,9 +45,17 @@ struct Assembly::Parts {
         drives(
             make_drive_side(options.drives, {options.file, options.machine, process_plant.get()})),
         inputs(contacts_of(options), options.machine),
-        gaps(options.file.machine) {
+        gaps(options.file.machine),
+        steady(options.file.machine, options.file.bus) {
     if (options.output_capacity > 0)
       outputs = std::make_unique<OutputBook>(options.output_capacity, machine.events());
+  }
+
+  // What the next cycle is given.
+  [[nodiscard]] std::span<const channels::AxisFeedback> feedback() RT_SAFE {
+    given = drives->feedback();
+    if (options.steady_at_rest) given = steady.of(given, output);
+    return given;
   }
 
   AssemblyOptions options;
@@ -58,9 +67,11 @@ struct Assembly::Parts {
   std::unique_ptr<DriveSide> drives;
   ProgramInputs inputs;
   ClockGaps gaps;
+  SteadyFeedback steady;
   channels::ClockGap gap;  // before the next cycle
   std::unique_ptr<OutputBook> outputs;
   channels::CycleOutput output;
+  std::span<const channels::AxisFeedback> given;  // of the latest cycle
 };
 
 Assembly::Assembly(AssemblyOptions options) : parts_(std::make_unique<Parts>(std::move(options))) {}
@@ -92,7 +103,7 @@ const channels::CycleOutput& Assembly::cycle(std::span<const channels::OperatorE
   DriveSide& drives = *parts.drives;
   drives.read(events);
   compute({.events = events,
-           .feedback = drives.feedback(),
+           .feedback = parts.feedback(),
            .signals = parts.inputs.read(drives, parts.output, touched),
            .sensors = sensors.empty() ? drives.sensors() : sensors,
            .gap = std::exchange(parts.gap, {})});
@@ -115,7 +126,7 @@ const channels::CycleOutput& Assembly::late_cycle(std::int64_t lost,
 void Assembly::carry_on() RT_SAFE {
   Parts& parts = *parts_;
   compute({.events = {},
-           .feedback = parts.drives->feedback(),
+           .feedback = parts.feedback(),
            .signals = parts.inputs.latest(),
            .sensors = parts.drives->sensors(),
            .gap = std::exchange(parts.gap, {})});
@@ -137,7 +148,7 @@ const ProcessPlant* Assembly::process_plant() const RT_SAFE {
 }
 
 std::span<const channels::AxisFeedback> Assembly::feedback() const RT_SAFE {
-  return parts_->drives->feedback();
+  return parts_->given;
 }
 
 std::vector<recording::ProgramRead> Assembly::program_reads() {

@@ -28,6 +28,8 @@ struct AssemblyOptions {
   channels::MachineOptions machine;
   // Cycles kept for a slow reader of `outputs`; more are counted as lost. 0: there is no reader.
   std::size_t output_capacity = 1024;
+  // Whether a machine at rest is spared the noise of its encoders (steady_feedback.h).
+  bool steady_at_rest = false;
 };
 
 class Assembly {
@@ -61,7 +63,7 @@ class Assembly {
   // The simulated cut, or nullptr.
   [[nodiscard]] const ProcessPlant* process_plant() const RT_SAFE;
 
-  // What the drives had told when the last cycle began; empty with ideal drives.
+  // What the last cycle was given of the drives; empty with ideal drives.
   [[nodiscard]] std::span<const channels::AxisFeedback> feedback() const RT_SAFE;
 
   // Program texts that were asked for since the last call; from one thread.

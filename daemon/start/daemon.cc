@@ -66,6 +66,7 @@ runtime::AssemblyOptions assembly_options(const DaemonOptions& options,
   chosen.file = file;
   chosen.drives = options.drives.value_or(runtime::DriveChoice::embedded);
   chosen.machine.changes_kept_s = recorder_may_be_late_s;
+  chosen.steady_at_rest = true;
   chosen.program_roots = runtime::standard_cycle_folders();
   chosen.program_roots.insert(chosen.program_roots.begin(), program_root);
   return chosen;
