@@ -1,10 +1,10 @@
-// three.js without what the page never draws with. Its renderer refers to every material, shader, shadow and
-// headset that it knows, so that none of them falls away by itself; left out here are the bodies of those
-// that the path view has no use for: textures, environments, shadows, headsets, and every method of a class
-// whose name nothing says. A shader that is used without its text does not compile, which the tests of the
-// views see.
+// three.js and CodeMirror without what the page never uses. The renderer of three.js refers to every material,
+// shader, shadow and headset that it knows, so that none of them falls away by itself; left out here are the
+// bodies of those that the path view has no use for: textures, environments, shadows, headsets. Of both are left out
+// the methods that nothing in the page could call. A shader that is used without its text does not compile,
+// which the tests of the views see.
 import { fileURLToPath } from 'node:url';
-import type { Plugin } from 'vite';
+import { parseAst, type Plugin } from 'vite';
 
 /** Materials of the page: MeshBasicMaterial and LineBasicMaterial, and MeshLambertMaterial. */
 const shadersKept = /\/ShaderLib\/(meshbasic|meshlambert)\.glsl\.js$/;
@@ -87,39 +87,99 @@ function leanModule(code: string, id: string): string | null {
   return isLeftOut ? emptied(code) : code.replace(/`([^`]*)`/g, lean);
 }
 
-const withoutComments = (code: string): string =>
-  code.replace(/\/\*[^]*?\*\//g, '').replace(/(^|\s)\/\/.*$/gm, '');
+/** Packages whose classes have more methods than the page calls. */
+const trimmed = /\/node_modules\/(three\/src|@codemirror|@lezer)\//;
 
-/** As three.js is written: methods of a class, and functions that a constructor gives its object. */
-const methods = [
-  /^\t(?:(?:static|async|get|set) )*([A-Za-z_]\w*)\([^\n]*\) \{\n(?:[^]*?\n)??\t\}\n/gm,
-  /^\t\tthis\.(\w+) = (?:async )?function \([^\n]*\) \{\n(?:[^]*?\n)??\t\t\};?\n/gm,
-];
+interface Node {
+  type: string;
+  start: number;
+  end: number;
+}
+type Named = Node & { name?: string; value?: unknown };
 
-function numbersOf(words: Iterable<RegExpMatchArray>, group: number): Map<string, number> {
-  const numbers = new Map<string, number>();
-  for (const match of words) {
-    const word = match[group] ?? '';
-    numbers.set(word, (numbers.get(word) ?? 0) + 1);
-  }
-  return numbers;
+/** What takes a name with it that only others say: a method, or a function that a constructor gives its object. */
+interface Method {
+  name: string;
+  start: number;
+  end: number;
+  says: Set<string>;
 }
 
-/** Methods whose name stands nowhere but where they are defined; a program never becomes JSON. */
-function withoutUnusedMethods(chunk: string, others: string): string {
-  let code = chunk;
+/** Names of methods that a browser or the language calls, and of one that nobody does: nothing here becomes JSON. */
+const saidElsewhere = ['constructor', 'toString', 'valueOf', 'handleEvent'];
+const neverSaid = 'toJSON';
+
+const isNode = (value: unknown): value is Node =>
+  typeof value === 'object' && value !== null && 'type' in value;
+
+const childrenOf = (node: Node): Node[] => Object.values(node).flat().filter(isNode);
+
+const part = (node: Node, name: string): Named | undefined =>
+  (node as unknown as Record<string, Named | undefined>)[name];
+
+const isComputed = (node: Node): boolean => (node as { computed?: boolean }).computed === true;
+
+function methodName(node: Node): string | undefined {
+  if (node.type === 'MethodDefinition')
+    return isComputed(node) ? undefined : part(node, 'key')?.name;
+  if (node.type !== 'ExpressionStatement') return undefined;
+  const [to, value] = ['left', 'right'].map((side) => {
+    const expression = part(node, 'expression');
+    return expression?.type === 'AssignmentExpression' ? part(expression, side) : undefined;
+  });
+  const isOwn = to !== undefined && part(to, 'object')?.type === 'ThisExpression';
+  return isOwn && !isComputed(to) && value?.type === 'FunctionExpression'
+    ? part(to, 'property')?.name
+    : undefined;
+}
+
+/** The names that a node itself says of what others have: `.name`, `{ name } = `, and every text. */
+function namesIn(node: Named): string[] {
+  if (node.type === 'MemberExpression' && !isComputed(node))
+    return [part(node, 'property')?.name ?? ''];
+  if (node.type === 'ObjectPattern')
+    return childrenOf(node).map((one) => part(one, 'key')?.name ?? '');
+  return node.type === 'Literal' ? [String(node.value)] : [];
+}
+
+/** Takes in the names of a program: those of each method apart from what is said in any case. */
+function gather(node: Node, says: Set<string>, methods: Method[]): void {
+  const name = methodName(node);
+  const isMethod = name !== undefined && !saidElsewhere.includes(name);
+  const own = isMethod ? new Set<string>() : says;
+  if (isMethod) methods.push({ name, start: node.start, end: node.end, says: own });
+  for (const one of namesIn(node)) own.add(one);
+  // The name under which a method is given to an object is no use of it.
+  const inner = isMethod && node.type !== 'MethodDefinition' ? part(node, 'expression') : node;
+  const value = inner === node || inner === undefined ? inner : part(inner, 'right');
+  if (value !== undefined) childrenOf(value).forEach((child) => gather(child, own, methods));
+}
+
+/** Methods whose name nothing says that could be reached. */
+export function withoutUnusedMethods(chunk: string, others: string[]): string {
+  const said = new Set<string>();
+  const methods: Method[] = [];
+  const elsewhere: Method[] = [];
+  gather(parseAst(chunk), said, methods);
+  for (const code of others) gather(parseAst(code), said, elsewhere);
+  said.delete(neverSaid);
+  let waiting = [...methods, ...elsewhere];
   for (;;) {
-    const before = code;
-    const said = numbersOf(`${code}\n${others}`.matchAll(/\w+/g), 0);
-    for (const form of methods) {
-      const defined = numbersOf(before.matchAll(form), 1);
-      code = code.replace(form, (text, name: string) => {
-        const isUsed = (said.get(name) ?? 0) > (defined.get(name) ?? 0);
-        return name === 'toJSON' || (name !== 'constructor' && !isUsed) ? '' : text;
-      });
-    }
-    if (code === before) return code;
+    const reached = waiting.filter(({ name }) => said.has(name));
+    if (reached.length === 0) break;
+    waiting = waiting.filter(({ name }) => !said.has(name));
+    for (const { says } of reached)
+      says.forEach((name) => (name === neverSaid ? undefined : said.add(name)));
   }
+  // What lies within another goes with it.
+  const unused = methods.filter((one) => waiting.includes(one));
+  let [lean, end] = ['', 0];
+  for (const one of unused.sort((a, b) => a.start - b.start)) {
+    if (one.start < end) continue;
+    lean += chunk.slice(end, one.start);
+    end = one.end;
+  }
+  return lean + chunk.slice(end);
 }
 
 export function leanThree(): Plugin {
@@ -146,16 +206,11 @@ export function leanThree(): Plugin {
     renderChunk: {
       order: 'pre',
       handler(code, chunk, _, { chunks }) {
-        if (!Object.keys(chunk.modules).some((id) => id.includes('/node_modules/three/src/')))
-          return null;
+        if (!Object.keys(chunk.modules).some((id) => trimmed.test(id))) return null;
         const others = Object.values(chunks)
           .filter((one) => one.fileName !== chunk.fileName)
           .flatMap((one) => Object.values(one.modules).map((module) => module.code ?? ''));
-        const lean = withoutUnusedMethods(
-          withoutComments(code),
-          withoutComments(others.join('\n')),
-        );
-        return { code: lean, map: null };
+        return { code: withoutUnusedMethods(code, others), map: null };
       },
     },
   };
