@@ -334,6 +334,53 @@ describe('states', () => {
     await page.context().close();
   });
 
+  /** Lays hands on what the daemon says of its state: `act` gets each message and may take it away. */
+  const statusThrough = (act) => (page) =>
+    page.routeWebSocket(/\/ws$/, (socket) => {
+      const server = socket.connectToServer();
+      socket.onMessage((text) => server.send(text));
+      server.onMessage((text) => {
+        const message = typeof text === 'string' ? JSON.parse(text) : {};
+        const passed = message.method === 'status' ? act(message) : text;
+        socket.send(typeof passed === 'string' ? passed : JSON.stringify(passed));
+      });
+    });
+
+  const delayed = ({ params, ...message }) => {
+    const { machine, channels = {} } = params.state;
+    const later = (one) => ({ ...one, age_ms: 400 });
+    const ids = Object.entries(channels).map(([id, one]) => [id, later(one)]);
+    const state = { ...params.state, channels: Object.fromEntries(ids) };
+    return {
+      ...message,
+      params: { ...params, state: machine ? { ...state, machine: later(machine) } : state },
+    };
+  };
+  const withheld = () => ({ jsonrpc: '2.0', method: 'nothing', params: {} });
+
+  for (const [how, late] of [
+    ['say that they are older than 0.3 s', delayed],
+    ['do not come, while others do', withheld],
+  ]) {
+    test(`old: values are grey, and it says so, where statuses ${how}; then they are as ever`, async () => {
+      let isLate = false;
+      const before = statusThrough((message) => (isLate ? late(message) : message));
+      const page = await stage.openMachine({ before });
+      await page.locator('main > .machine:not(.old)').waitFor();
+      isLate = true;
+      await page.locator('main > .machine.old').waitFor();
+      await page.locator('header').getByText('values older than 0.3 s').waitFor();
+      assert.equal(await page.getByText(/No connection since/).count(), 0);
+      assert.deepEqual(await findings(page), []);
+      await show(page, 'path');
+      await page.locator('main > .path.old').waitFor();
+      isLate = false;
+      await page.locator('main > .path:not(.old)').waitFor();
+      await page.locator('header').getByText('live').waitFor();
+      await page.context().close();
+    });
+  }
+
   test('a server that comes back knows its pages', async () => {
     const page = await stage.openMachine();
     await page.locator('main > .machine:not(.old)').waitFor();

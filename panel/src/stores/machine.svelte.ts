@@ -8,6 +8,7 @@ import { Link, type LinkState, type Socket } from '../rpc/link';
 import { mergePatch, type Json } from '../rpc/merge_patch';
 import { currentSession, keyMessage, type Session } from '../rpc/session';
 import { machineOf } from './cell.svelte';
+import { Freshness } from './freshness';
 import { seldom } from './seldom';
 
 export type Machine = Result<'machine.status'>;
@@ -60,6 +61,8 @@ class MachineStore {
   alarms = $state.raw<Alarm[]>([]);
   events = $state.raw<MachineEvent[]>([]);
   droppedFor = $state<string | null>(null);
+  /** The status that is shown is older than an operator may take it for. */
+  isOld = $state(false);
   /** The channel whose axes, MDI and jog are shown. */
   chosen = $state(1);
 
@@ -71,11 +74,14 @@ class MachineStore {
       () => undefined,
     );
   });
+  #freshness = new Freshness((isOld) => (this.isOld = isOld));
   #listeners = new Map<string, ((params: unknown) => void)[]>();
   #frames: ((frame: ArrayBuffer) => void)[] = [];
 
   readonly role = $derived(this.hello?.role ?? 'observer');
   readonly live = $derived(this.phase === 'live');
+  /** What the status says is so now. */
+  readonly fresh = $derived(this.live && !this.isOld);
   readonly channel = $derived(this.channels.find((one) => one.id === this.chosen));
 
   start(): void {
@@ -181,6 +187,7 @@ class MachineStore {
     const before = this.#status;
     const after = (full ? state : mergePatch(before as Json, state)) as Status;
     this.#status = after;
+    this.#freshness.came(ageOf(after));
     if (after.machine !== before.machine) this.machine = after.machine ?? null;
     if (after.drives !== before.drives) this.drives = after.drives ?? null;
     if (after.channels === before.channels) return;
@@ -194,6 +201,10 @@ class MachineStore {
     this.events = [event, ...this.events].slice(0, eventsKept);
     this.#askAlarms();
   }
+}
+
+function ageOf({ machine, channels = {} }: Status): number {
+  return Math.max(machine?.age_ms ?? 0, ...Object.values(channels).map((one) => one.age_ms ?? 0));
 }
 
 function openSocket(): Socket {

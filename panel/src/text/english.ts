@@ -54,6 +54,7 @@ export const english = {
   'role.programmer': 'programmer',
   'role.integrator': 'integrator',
   'link.live': 'live',
+  'link.old': 'values older than 0.3 s',
   'link.lost': 'lost since {since}',
   'link.connecting': 'Connecting',
   'link.connecting_text':

@@ -52,6 +52,7 @@ export const russian: Record<keyof typeof english, string> = {
   'role.programmer': 'технолог',
   'role.integrator': 'наладчик',
   'link.live': 'на связи',
+  'link.old': 'данные старше 0,3 с',
   'link.lost': 'нет связи с {since}',
   'link.connecting': 'Соединение',
   'link.connecting_text': 'Сервер страницы есть, демон ещё не ответил. Запущен ли stanokd?',
