@@ -18,6 +18,9 @@ import subprocess
 import threading
 from urllib.parse import urlsplit
 
+# What begins motion says which cycle of the machine was seen.
+MOVES = ("machine.on", "program.run", "program.start", "program.resume", "queue.start", "kinematics.select", "mdi", "jog",
+         "home")
 WEBSOCKET_GUID = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11"  # RFC 6455, section 1.3
 PATIENCE_S = 60
 
@@ -228,6 +231,11 @@ class Window:
             self.binary.append(payload)
 
     def answer(self, method, /, **parameters):
+        if method in MOVES and "seen_cycle" not in parameters:
+            parameters["seen_cycle"] = self.ask("machine.status").get("cycle", 0)
+        return self.answer_as_is(method, parameters)
+
+    def answer_as_is(self, method, parameters):
         self.last_id += 1
         self.send({"jsonrpc": "2.0", "id": self.last_id, "method": method, "params": parameters})
         while (message := self.receive()).get("id") != self.last_id:

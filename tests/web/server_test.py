@@ -126,6 +126,42 @@ class Windows(WithServer):
                          '{"jsonrpc":"2.0",  "id":7, "method":"x",   "params":{"text":"\\nж"}}\n')
         window.close()
 
+    def moves(self):
+        document = self.browser.request("GET", "/api/openrpc.json").json()
+        return [method for method in document["methods"] if method["x-effect"] == "begins_motion"]
+
+    @staticmethod
+    def required(method):
+        """Parameters that a method cannot do without."""
+        examples = {"integer": 1, "number": 1.0, "string": "X"}
+        return {one["name"]: examples[one["schema"]["type"]] for one in method["params"] if one.get("required")}
+
+    def test_motion_of_a_page_that_hides_what_it_saw_does_not_begin(self):
+        window = self.browser.open_window()
+        window.receive()
+        passed = len(self.daemon.lines)
+        self.assertGreater(len(self.moves()), 8)
+        for method in self.moves():
+            parameters = self.required(method)
+            for hidden in (parameters, list(parameters.values())):
+                with self.subTest(method["name"], hidden=hidden):
+                    answer = window.answer_as_is(method["name"], hidden)
+                    self.assertEqual(answer["error"]["data"]["code"], "E6073")
+            window.send({"jsonrpc": "2.0", "method": method["name"], "params": parameters})
+        self.assertEqual(window.ask("machine.status"), {})
+        self.assertEqual(len(self.daemon.lines), passed + 1, "only the last one")
+        window.close()
+
+    def test_motion_of_a_page_that_says_what_it_saw_is_passed_on(self):
+        window = self.browser.open_window()
+        window.receive()
+        for method in self.moves():
+            parameters = {**self.required(method), "seen_cycle": 7}
+            self.assertEqual(window.answer_as_is(method["name"], parameters)["result"], parameters)
+        for method, parameters in (("override.feed", {"percent": 50}), ("jog", {"axis": 1}), ("tool.set", {"number": 1})):
+            self.assertEqual(window.answer_as_is(method, parameters)["result"], parameters, "it is the daemon's to judge")
+        window.close()
+
     def test_the_connection_to_the_daemon_ends_with_the_browser(self):
         window = self.browser.open_window()
         window.receive()

@@ -42,6 +42,18 @@ std::string as_one_line(std::string message) {
   return message;
 }
 
+protocol::Failure refusal_of(std::string code, std::string message) {
+  return {protocol::FailureKind::refused, std::move(code), std::move(message), 0, {}};
+}
+
+// A network may have kept it: without what the page had seen it would be as new as its arrival.
+bool hides_its_age(const protocol::Request& request) {
+  const protocol::Method* method = protocol::find_method(request.method);
+  if (method == nullptr || method->effect != protocol::Effect::begins_motion) return false;
+  const auto given = protocol::checked_parameters(*method, request.parameters);
+  return given && !given->contains("seen_cycle");
+}
+
 bool is_method(const json& message, const char* method) {
   return message.is_object() && message.value("method", json()) == method;
 }
@@ -253,11 +265,14 @@ asio::awaitable<bool> WebSocketRelay::take(std::string message) {
     if (!has_place_) co_return true;
     message = protocol::json_text(again);
   }
-  if (has_place_) co_return co_await machine_.send(std::move(message));
   const auto request = protocol::parse_request(message);
+  if (has_place_ && !(request && hides_its_age(*request)))
+    co_return co_await machine_.send(std::move(message));
+  if (request && !request->wants_answer) co_return true;
   const json id = request ? request->id : json();
-  const protocol::Failure failure{
-      protocol::FailureKind::refused, "E9008", "there are too many clients", 0, {}};
+  const protocol::Failure failure =
+      has_place_ ? refusal_of("E6073", "the page does not say which cycle it has seen (seen_cycle)")
+                 : refusal_of("E9008", "there are too many clients");
   co_return co_await show(without_line_end(protocol::failure_line(id, failure)));
 }
 

@@ -5,8 +5,9 @@
 // jog and back-pressure stay the daemon's: when the browser goes, the connection goes, and with it
 // what it held. Its first message is the key of the session, {"jsonrpc":
 // "2.0", "method": "session.key", "params": {"key": ""}}, and stays here. The role is lowered to
-// that of its user before another message of the browser is passed on. Nothing is queued here: the
-// next message is read when the last one is written, and who takes too long for that loses its
+// that of its user before another message of the browser is passed on. What begins motion is passed
+// on only where it says which cycle was seen when it was asked for (E6073). Nothing is queued here:
+// the next message is read when the last one is written, and who takes too long for that loses its
 // connection.
 //
 // A stop goes over a connection of its own as well, so that it waits for nothing which this one has
