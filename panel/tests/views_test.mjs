@@ -630,6 +630,52 @@ describe('tables', () => {
     await until('as before', async () => (await length()) === before);
     await page.context().close();
   });
+
+  test('a value that the daemon wants to have confirmed is a question', async () => {
+    // As a machine file with limits would have it.
+    const confirmed = [];
+    const before = (page) =>
+      page.routeWebSocket(/\/ws$/, (socket) => {
+        const server = socket.connectToServer();
+        server.onMessage((text) => socket.send(text));
+        socket.onMessage((text) => {
+          const message = JSON.parse(text);
+          if (message.method !== 'tool.set') return server.send(text);
+          const { confirmed: yes, ...params } = message.params;
+          confirmed.push(yes);
+          if (yes) return server.send(JSON.stringify({ ...message, params }));
+          const data = { code: 'E6095', remedy: 'confirm it' };
+          const error = {
+            code: -32001,
+            message: 'length 444.000 mm is larger than is likely',
+            data,
+          };
+          socket.send(JSON.stringify({ jsonrpc: '2.0', id: message.id, error }));
+        });
+      });
+    const page = await stage.openMachine({ before });
+    await show(page, 'tools');
+    const length = async () => (await stage.client.call('tool.get', { number: 1 })).length;
+    const asItWas = await length();
+    const cell = page.getByLabel('T1.1 length', { exact: true });
+    const question = page.getByRole('alert').filter({ hasText: 'larger than is likely' });
+    const ask = async () => {
+      await cell.fill('444');
+      await cell.press('Enter');
+      await question.getByText('Is this value intended?').waitFor();
+    };
+    await ask();
+    assert.deepEqual(await findings(page), []);
+    await question.getByRole('button', { name: 'No', exact: true }).click();
+    await question.waitFor({ state: 'detached' });
+    assert.equal(await length(), asItWas);
+    await ask();
+    await question.getByRole('button', { name: 'Yes', exact: true }).click();
+    await until('444', async () => (await length()) === 444);
+    assert.deepEqual(confirmed, [undefined, undefined, 1]);
+    await stage.client.call('tool.set', { number: 1, edge: 1, key: 'length', value: asItWas });
+    await page.context().close();
+  });
 });
 
 describe('path', () => {

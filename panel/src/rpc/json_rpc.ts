@@ -32,6 +32,16 @@ export class Refusal extends Error {
   }
 }
 
+/** A refusal that becomes a question: what is meant all the same is done again, confirmed. */
+export class Question extends Refusal {
+  constructor(
+    { number, message, data }: Refusal,
+    readonly again: () => Promise<unknown>,
+  ) {
+    super(number, message, data);
+  }
+}
+
 export const noData: RefusalData = {
   code: null,
   channel: null,

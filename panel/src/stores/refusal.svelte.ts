@@ -1,5 +1,5 @@
 // The refusal that is shown, and where: beside what was pressed.
-import { Refusal, ownNumbers } from '../rpc/json_rpc';
+import { Question, Refusal, ownNumbers } from '../rpc/json_rpc';
 import type { TextKey } from '../text/catalogue';
 import { t } from '../text/text';
 import { roleRefusal, withPeople } from './people';
@@ -7,12 +7,17 @@ import { roleRefusal, withPeople } from './people';
 /** The command was meant for another situation than the one that the channel is in. */
 export const situationChanged = 'E6090';
 
+/** A value above what the machine file thinks likely: it wants to be confirmed. */
+export const unlikelyValue = 'E6095';
+
 export interface Shown {
   code: string | null;
   sentence: string;
   remedy: string | null;
   place: string | null;
   at: { left: number; top: number; bottom: number };
+  /** Of a question: what yes does; null: nothing is asked. */
+  again: (() => Promise<unknown>) | null;
 }
 
 /** What an error says, in a sentence. */
@@ -28,8 +33,12 @@ class RefusalStore {
   show(error: unknown, beside: Element | null): void {
     const box = (beside ?? document.body).getBoundingClientRect();
     const at = { left: box.left, top: box.top, bottom: Math.min(box.bottom, window.innerHeight) };
-    if (error instanceof Refusal) this.shown = { ...words(error), at };
-    else this.shown = { code: null, sentence: sentenceOf(error), remedy: null, place: null, at };
+    const again = error instanceof Question ? () => attempt(beside, error.again) : null;
+    const said =
+      error instanceof Refusal
+        ? words(error)
+        : { code: null, sentence: sentenceOf(error), remedy: null, place: null };
+    this.shown = { ...said, at, again };
   }
 
   clear(): void {
@@ -47,7 +56,7 @@ function ownWords({ number, data }: Refusal): [TextKey, TextKey] | null {
   return null;
 }
 
-function words(refusal: Refusal): Omit<Shown, 'at'> {
+function words(refusal: Refusal): Omit<Shown, 'at' | 'again'> {
   const own = ownWords(refusal);
   if (own !== null) {
     const [sentence, remedy] = own;

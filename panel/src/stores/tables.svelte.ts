@@ -1,11 +1,14 @@
 // Tools and work offsets, and what this page changed of them, so that it can be taken back.
-import type { Params, Result } from '../rpc/json_rpc';
+import { Question, Refusal, type Params, type Result } from '../rpc/json_rpc';
 import type { Methods } from '../generated/client';
 import { t } from '../text/text';
 import { store } from './machine.svelte';
+import { unlikelyValue } from './refusal.svelte';
 
 export type Tool = Result<'tool.list'>['tools'][number];
 export type ToolKey = Methods['tool.set']['params']['key'];
+
+type Confirmed = { confirmed?: 1 };
 
 export interface Change {
   what: string;
@@ -14,7 +17,8 @@ export interface Change {
   at: number;
   /** The value as the tables have it. */
   now: () => number;
-  send: (value: number) => Promise<unknown>;
+  /** Confirmed where somebody was asked about it. */
+  send: (value: number, confirmed: Confirmed) => Promise<unknown>;
 }
 
 const changesKept = 100;
@@ -41,7 +45,8 @@ class Tables {
       what: `T${number}.${edge} ${key}`,
       to: value,
       now: () => this.tools?.find((one) => one.number === number && one.edge === edge)?.[key] ?? 0,
-      send: (next) => store.call('tool.set', { number, edge, key, value: next }),
+      send: (next, confirmed) =>
+        store.call('tool.set', { number, edge, key, value: next, ...confirmed }),
     });
   }
 
@@ -50,7 +55,8 @@ class Tables {
       what: `${offset} ${axis}`,
       to: value,
       now: () => this.offsets[offset]?.[axis] ?? 0,
-      send: (next) => store.call('offset.set', { offset, axis, value: next }),
+      send: (next, confirmed) =>
+        store.call('offset.set', { offset, axis, value: next, ...confirmed }),
     });
   }
 
@@ -80,16 +86,34 @@ class Tables {
     if (last === undefined) return;
     await this.read();
     if (last.now() !== last.to) throw new Error(t('tables.changed_since', { what: last.what }));
-    await last.send(last.from);
-    this.changes = older;
-    await this.read();
+    await this.#send(last, last.from, async () => {
+      this.changes = older;
+      await this.read();
+    });
   }
 
   async #change(wanted: Omit<Change, 'from' | 'at'>): Promise<void> {
     const from = wanted.now();
-    await wanted.send(wanted.to);
-    await this.read();
-    this.#keep({ ...wanted, from, at: Date.now() });
+    await this.#send(wanted, wanted.to, async () => {
+      await this.read();
+      this.#keep({ ...wanted, from, at: Date.now() });
+    });
+  }
+
+  // A value that the daemon wants to have confirmed is a question.
+  async #send(
+    change: Pick<Change, 'send'>,
+    value: number,
+    then: () => Promise<void>,
+    confirmed: Confirmed = {},
+  ): Promise<void> {
+    try {
+      await change.send(value, confirmed);
+    } catch (error) {
+      if (!(error instanceof Refusal) || error.data.code !== unlikelyValue) throw error;
+      throw new Question(error, () => this.#send(change, value, then, { confirmed: 1 }));
+    }
+    await then();
   }
 
   #keep(change: Change): void {

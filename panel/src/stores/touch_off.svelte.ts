@@ -4,13 +4,13 @@ import { Refusal, type Params } from '../rpc/json_rpc';
 import { t } from '../text/text';
 import type { Channel } from './machine.svelte';
 import { isDiameter, unitsOf, wordIn } from './position_words';
-import { situationChanged } from './refusal.svelte';
+import { situationChanged, unlikelyValue } from './refusal.svelte';
 import { tables, type Change } from './tables.svelte';
 
 type Wanted = Params<'offset.touch'>;
 
-/** Of refusals: the situation is another one; the change is larger than is likely. */
-const codes = { changed: situationChanged, large: 'E6093' } as const;
+/** Of refusals: the change, or the value, is larger than is likely. */
+const largeCodes = ['E6093', unlikelyValue];
 
 class TouchOff {
   /** Why the daemon wants to have it confirmed, in its words; null: nothing waits for an answer. */
@@ -72,11 +72,11 @@ class TouchOff {
       this.#seen = null;
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      if (error.data.code === codes.changed) {
+      if (error.data.code === situationChanged) {
         this.hasChanged = true;
         // Who goes on has the new numbers before the eyes.
         this.#seen = null;
-      } else if (error.data.code === codes.large) {
+      } else if (largeCodes.includes(error.data.code ?? '')) {
         this.question = error.message;
         this.#asked = wanted;
       } else throw error;

@@ -32,6 +32,7 @@ export const english = {
   stop_all_note: 'not the E-stop',
   'alarm.stop_all': 'STOP ALL by an operator: a stop by software, not the E-stop',
   'confirm.yes': 'Yes',
+  'confirm.value': 'Is this value intended?',
   'confirm.no': 'No',
   'refusal.title': 'Refused',
   'refusal.changed':

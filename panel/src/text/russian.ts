@@ -31,6 +31,7 @@ export const russian: Record<keyof typeof english, string> = {
   stop_all_note: 'не авар. кнопка',
   'alarm.stop_all': 'СТОП оператором: программный останов, не аварийная кнопка',
   'confirm.yes': 'Да',
+  'confirm.value': 'Это значение верно?',
   'confirm.no': 'Нет',
   'refusal.title': 'Отказано',
   'refusal.changed':

@@ -87,16 +87,19 @@ test('the newest one can be taken back, as long as it is the newest', async () =
   expect(touchOff.done).toBeNull();
 });
 
-test('a large change is asked about and sent again, confirmed, as it was', async () => {
-  refused = ['E6093'];
-  await touchOff.touch(lathe, 'G54', 'Z', '500');
-  expect(touchOff.question).toBe('says E6093');
-  expect(touchOff.done).toBeNull();
-  await touchOff.confirm();
-  expect(sent[1]).toEqual({ ...sent[0], confirmed: 1 });
-  expect(touchOff.question).toBeNull();
-  expect(touchOff.done).toMatchObject({ what: 'G54 Z' });
-});
+test.each(['E6093', 'E6095'])(
+  'what is large is asked about (%s) and sent again, confirmed',
+  async (code) => {
+    refused = [code];
+    await touchOff.touch(lathe, 'G54', 'Z', '500');
+    expect(touchOff.question).toBe(`says ${code}`);
+    expect(touchOff.done).toBeNull();
+    await touchOff.confirm();
+    expect(sent[1]).toEqual({ ...sent[0], confirmed: 1 });
+    expect(touchOff.question).toBeNull();
+    expect(touchOff.done).toMatchObject({ what: 'G54 Z' });
+  },
+);
 
 test('a question that is answered with no sends nothing', async () => {
   refused = ['E6093'];
