@@ -34,11 +34,16 @@ export function clock(milliseconds: number): string {
 
 /** A time of Unix in s: of today the time alone. */
 export function moment(time_s: number): string {
-  const [then, today] = [new Date(time_s * 1000), new Date()];
-  const time = then.toTimeString().slice(0, 5);
-  if (then.toDateString() === today.toDateString()) return time;
-  const two = (value: number): string => String(value).padStart(2, '0');
-  return `${then.getFullYear()}-${two(then.getMonth() + 1)}-${two(then.getDate())} ${time}`;
+  const isToday = new Date(time_s * 1000).toDateString() === new Date().toDateString();
+  return dateAndTime(time_s).slice(isToday ? 11 : 0, 16);
+}
+
+/** 2026-03-01 14:05:09, as the clock on the wall shows it. */
+export function dateAndTime(time_s: number): string {
+  const then = new Date(time_s * 1000);
+  const day = [then.getFullYear(), then.getMonth() + 1, then.getDate()];
+  const date = day.map((value) => String(value).padStart(2, '0')).join('-');
+  return `${date} ${clock(time_s * 1000)}`;
 }
 
 export function bytes(count: number): string {

@@ -1,7 +1,7 @@
 // How values of the history are shown: the unit once in the head of a column, digits by what it is.
 import type { Column, ColumnName, Value } from '../rpc/history';
 import { t } from '../text/text';
-import { duration, fixed } from './format';
+import { dateAndTime, duration, fixed } from './format';
 
 // Parts of 1, shown in percent.
 const shares: readonly ColumnName[] = ['availability', 'effectiveness', 'quality', 'oee', 'drift'];
@@ -13,19 +13,10 @@ export function columnUnit(name: ColumnName): string {
   return name === 'path_mm' ? `, ${t('unit.mm')}` : '';
 }
 
-const two = (number: number): string => String(number).padStart(2, '0');
-
-/** Date and time of day of this computer, from s since 1970. */
-export function moment(seconds: number): string {
-  const at = new Date(seconds * 1000);
-  const day = `${at.getFullYear()}-${two(at.getMonth() + 1)}-${two(at.getDate())}`;
-  return `${day} ${two(at.getHours())}:${two(at.getMinutes())}:${two(at.getSeconds())}`;
-}
-
 export function shownValue(column: Column, value: Value): string {
   if (value === null) return '–';
   if (typeof value !== 'number') return String(value);
-  if (column.kind === 'time') return moment(value);
+  if (column.kind === 'time') return dateAndTime(value);
   if (shares.includes(column.name)) return fixed(100 * value, 1);
   if (spans.includes(column.name)) return duration(value);
   return fixed(value, column.name === 'path_mm' ? 1 : 0);

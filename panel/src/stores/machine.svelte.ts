@@ -13,7 +13,8 @@ import { seldom } from './seldom';
 
 export type Machine = Result<'machine.status'>;
 export type Drives = Result<'drive.status'>;
-export type Alarm = Result<'alarm.list'>['alarms'][number];
+/** `at`: Unix time in s, where the daemon knows it. */
+export type Alarm = Result<'alarm.list'>['alarms'][number] & { at?: number | null };
 // `axes` belongs to the status of a channel of axes; a merge patch takes members away that are null.
 export type Channel = Partial<Result<'channel.status'>> &
   Pick<Result<'channel.status'>, 'id' | 'name' | 'state' | 'program_status' | 'override'>;
