@@ -162,6 +162,19 @@ class Windows(WithServer):
             self.assertEqual(window.answer_as_is(method, parameters)["result"], parameters, "it is the daemon's to judge")
         window.close()
 
+    def test_a_stop_that_nobody_answers_is_said_to_be_that(self):
+        def answer_to(request, answer=self.daemon.answer_to):
+            return b"" if request["method"] == "program.hold" else answer(request)
+        self.daemon.answer_to = answer_to
+        window = self.browser.open_window()
+        window.receive()
+        error = window.answer("program.hold", channel=1)["error"]
+        self.assertEqual(error["data"]["code"], "E9016")
+        self.assertIn("sent and is not answered", error["message"])
+        self.assertEqual(window.ask("machine.status"), {}, "the window goes on")
+        self.daemon.wait_until(lambda daemon: daemon.open == 1)
+        window.close()
+
     def test_the_connection_to_the_daemon_ends_with_the_browser(self):
         window = self.browser.open_window()
         window.receive()

@@ -51,4 +51,12 @@ void MachineConnection::close() {
   ignored = socket_.close(ignored);
 }
 
+void close_when_over(asio::steady_timer& patience,
+                     const std::shared_ptr<MachineConnection>& connection) {
+  patience.async_wait([waits = std::weak_ptr(connection)](const boost::system::error_code& error) {
+    const auto alive = waits.lock();
+    if (!error && alive) alive->close();
+  });
+}
+
 }  // namespace stanok::web

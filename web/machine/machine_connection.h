@@ -7,6 +7,7 @@
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -42,5 +43,9 @@ class MachineConnection {
   bool is_sending_ = false;
   boost::asio::steady_timer turn_;  // cancelled when the next one may send
 };
+
+// Closes a connection when the time of a timer has come, unless that is cancelled before.
+void close_when_over(boost::asio::steady_timer& patience,
+                     const std::shared_ptr<MachineConnection>& connection);
 
 }  // namespace stanok::web

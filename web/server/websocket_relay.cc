@@ -29,6 +29,8 @@ constexpr int id_of_role_request = 0;
 constexpr auto open_time_max = std::chrono::seconds(10);
 constexpr auto silence_max = std::chrono::seconds(30);
 constexpr std::size_t stop_bytes_max = 4096;  // as in the daemon
+// The page is told within a second.
+constexpr auto stop_answered_within = std::chrono::milliseconds(900);
 
 std::string without_line_end(std::string line) {
   if (line.ends_with('\n')) line.pop_back();
@@ -288,18 +290,25 @@ bool WebSocketRelay::may_stop_by(std::string_view message) const {
 asio::awaitable<void> WebSocketRelay::stop(std::shared_ptr<WebSocketRelay> self,
                                            std::string message) {
   const auto request = protocol::parse_request(message);
-  MachineConnection own(self->stream_->get_executor());
-  if (co_await own.connect(self->socket_) && co_await own.send(std::move(message))) {
-    while (auto line = co_await own.next_line()) {
+  const auto executor = self->stream_->get_executor();
+  const auto own = std::make_shared<MachineConnection>(executor);
+  asio::steady_timer patience(executor, stop_answered_within);
+  close_when_over(patience, own);
+  const bool is_sent =
+      co_await own->connect(self->socket_) && co_await own->send(std::move(message));
+  if (is_sent) {
+    while (auto line = co_await own->next_line()) {
       const json answer = protocol::json_from_text(*line);
       if (!answer.is_object() || answer.contains("method") || !request->wants_answer) continue;
       static_cast<void>(co_await self->show(std::move(*line)));
       co_return;
     }
   }
+  if (!request->wants_answer) co_return;
+  const std::string why = is_sent ? "the stop was sent and is not answered" : "no daemon answers";
   const protocol::Failure failure{protocol::FailureKind::timed_out,
                                   "E9016",
-                                  "no daemon answers: use the emergency stop of the machine",
+                                  why + ": use the emergency stop of the machine",
                                   0,
                                   {}};
   static_cast<void>(

@@ -11,8 +11,8 @@
 // connection.
 //
 // A stop goes over a connection of its own as well, so that it waits for nothing which this one has
-// asked for; where the daemon has no place, the browser is told so and its stops are passed on all
-// the same. One thread.
+// asked for, and is said to be unanswered within a second (E9016); where the daemon has no place,
+// the browser is told so and its stops are passed on all the same. One thread.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
