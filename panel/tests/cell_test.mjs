@@ -51,6 +51,18 @@ test('what ran is in the history, of this machine and not of the other one', asy
   await history.getByText('There is nothing in this time').waitFor();
 });
 
+test('a run that an override of 0 % holds stands, and says why', async () => {
+  writeFileSync(join(stage.programs, 'long.nc'), 'G53 G1 X20 F600\nG53 G1 X0\nM30\n');
+  await stage.client.call('program.run', { program: 'long.nc', channel: 1 });
+  await tile('stanok').locator('[data-state=running]').waitFor();
+  await stage.client.call('override.feed', { channel: 1, percent: 0 });
+  await tile('stanok').locator('[data-state=standing]').waitFor();
+  await tile('stanok').getByText('nothing moves: feed override 0 %').waitFor();
+  await stage.client.call('override.feed', { channel: 1, percent: 100 });
+  await tile('stanok').locator('[data-state=running]').waitFor();
+  await stage.client.call('program.reset', { channel: 1 });
+});
+
 test('it fits on small screens and large ones, in both languages, and axe-core finds nothing', async () => {
   for (const [width, height, locale] of [
     [360, 640, 'ru-RU'],

@@ -79,6 +79,10 @@ class Cell(unittest.TestCase):
         for one in answer["machines"]:
             self.assertTrue(one["answers"])
             self.assertEqual([channel["id"] for channel in one["channels"]], [1])
+            self.assertEqual(one["channels"][0]["override"]["feed"], 100)
+            self.assertEqual(one["channels"][0]["speed_mm_s"], 0)
+            for member in ("g_codes", "words", "cycle", "position"):
+                self.assertTrue(one["channels"][0][member], member)
         # Each WebSocket is one of the machine that its path names, the first one as a rule.
         first.ask("offset.set", offset="G54", axis="X", value=1)
         second.ask("offset.set", offset="G54", axis="X", value=2)

@@ -1,5 +1,6 @@
 #include "web/cell/machine_glance.h"
 
+#include <array>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/this_coro.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -28,12 +29,16 @@ asio::awaitable<json> ask(MachineConnection& connection, int id, std::string met
   co_return json();
 }
 
-// What an overview shows of a channel.
+constexpr std::array of_status{"program", "line",    "predicted_s", "remaining_s",
+                               "alarm",   "held_by", "override",    "speed_mm_s",
+                               "g_codes", "words",   "cycle",       "position"};
+
+// What an overview shows of a channel, and by what it sees whether anything moves.
 json tile_of(const json& channel, const json& status) {
   json tile;
   for (const char* member : {"id", "name", "state", "program_status"})
     tile[member] = channel.value(member, json());
-  for (const char* member : {"program", "line", "predicted_s", "remaining_s", "alarm", "held_by"})
+  for (const char* member : of_status)
     tile[member] = status.is_object() ? status.value(member, json()) : json();
   return tile;
 }
@@ -71,10 +76,7 @@ asio::awaitable<void> MachineGlance::look(Depth depth) {
   const auto executor = co_await asio::this_coro::executor;
   const auto connection = std::make_shared<MachineConnection>(executor);
   asio::steady_timer patience(executor, good_for);
-  patience.async_wait([waits = std::weak_ptr(connection)](const boost::system::error_code& error) {
-    const auto alive = waits.lock();
-    if (!error && alive) alive->close();
-  });
+  close_when_over(patience, connection);
   const bool is_connected = co_await connection->connect(socket_);
   std::optional<std::string> line;
   if (is_connected) line = co_await connection->next_line();

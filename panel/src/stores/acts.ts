@@ -31,7 +31,7 @@ const stopAllCode = 'A1001';
 export const textOf = ({ code, text }: { code: string; text: string }): string =>
   code === stopAllCode ? t('alarm.stop_all') : text;
 
-/** The emergency stop of the software: along the path to rest, then the drives off. */
+/** By software, not the E-stop: along the path to rest, then the drives off. */
 export const stopAll = (): Promise<unknown> => store.call('machine.estop');
 
 export type StateKind =
@@ -52,6 +52,12 @@ export function stoppingOverride(channel: Motion): 'feed' | 'rapid' | null {
 export function overrideAtZero({ override }: Motion): 'feed' | 'rapid' | null {
   if (override?.feed === 0) return 'feed';
   return override?.rapid === 0 ? 'rapid' : null;
+}
+
+/** In words, why a channel stands in the middle of its program. */
+export function whyStands(channel: Motion): string {
+  const stopping = stoppingOverride(channel) ?? overrideAtZero(channel);
+  return t(stopping === null ? 'stands.unknown' : `stands.${stopping}`);
 }
 
 /** In one word what a channel is doing: running is what moves, not what a program is loaded for. */

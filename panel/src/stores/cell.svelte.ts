@@ -14,7 +14,11 @@ export type GlanceChannel = Pick<
   | 'remaining_s'
   | 'alarm'
   | 'held_by'
->;
+> &
+  Partial<Pick<Channel, 'override' | 'speed_mm_s' | 'g_codes' | 'words' | 'cycle' | 'position'>> & {
+    /** Nothing has moved since it was seen before. */
+    stands?: boolean;
+  };
 
 /** What the server saw of a machine within the last second or two. */
 export interface Glance {
@@ -29,6 +33,18 @@ export interface Glance {
 interface Overview {
   machines: Glance[];
   history: boolean;
+}
+
+/** What was seen of a machine now and before: where the axes of a channel are as they were, it stands. Not seen anew
+    is what the server had seen before. */
+export function withMotion(now: Glance, before: Glance | undefined): Glance {
+  const channels = now.channels.map((channel) => {
+    const known = before?.channels.find((one) => one.id === channel.id);
+    const [there, then] = [channel, known].map((one) => JSON.stringify(one?.position));
+    const isSame = known?.cycle === channel.cycle;
+    return { ...channel, stands: isSame ? known?.stands === true : there === then };
+  });
+  return { ...now, channels };
 }
 
 const every_ms = 1000;
@@ -57,7 +73,13 @@ class CellStore {
       const answer = await fetch('/api/machines', { headers: sessionFields(), signal });
       if (!answer.ok) throw new Error(String(answer.status));
       const overview = (await answer.json()) as Overview;
-      this.machines = overview.machines;
+      const before = this.machines;
+      this.machines = overview.machines.map((now) =>
+        withMotion(
+          now,
+          before.find(({ id }) => id === now.id),
+        ),
+      );
       this.hasHistory = overview.history;
       this.heardAt = Date.now();
       this.failed = false;
