@@ -30,6 +30,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { whenDone } from './graphics_done';
 import { magnification } from '../style/resolved';
 import { Levels, type Sight } from './levels';
 import { matrixOf, type Carried, type Pose } from './pose';
@@ -98,15 +99,13 @@ interface Shown {
   pairs: Pairs;
 }
 
-/** What waits for the thread of the page goes first. */
-const turn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
-
 function bytesOf(colour: string): Colour {
   const { r, g, b } = new Color(colour);
   return [255 * r, 255 * g, 255 * b];
 }
 
 export class PathScene {
+  readonly canvas = document.createElement('canvas');
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
   readonly #camera = new PerspectiveCamera(40, 1, 0.1, 50_000);
@@ -163,21 +162,25 @@ export class PathScene {
   /** Whether what shades lines and bodies has been made, which the thread of the page does not wait for. */
   #isCompiled = false;
   #isClosed = false;
+  #coloursNow = '';
   #coloured = 0;
 
   constructor(
-    private readonly canvas: HTMLCanvasElement,
     private readonly planned: Track,
     private readonly traced: Track,
     private readonly lie: Lie,
     standpoint?: Standpoint,
   ) {
     this.#look = firstLook[lie];
+    const { canvas } = this;
     this.#renderer = new WebGLRenderer({ canvas, antialias: true });
+    // Each answer of it is waited for; one does, when a program has been made.
+    this.#renderer.debug.checkShaderErrors = false;
     this.#pace = new PicturePace({
       fullPixels: () => this.#screen[0] * this.#screen[1] * this.#ratio ** 2,
       prepare: (until) => this.#prepare(until),
-      draw: (share, stands) => this.#render(share, stands ? 'standing' : 'moving'),
+      fit: (share) => this.#fit(share),
+      draw: (stands) => this.#render(stands ? 'standing' : 'moving'),
       gl: () => this.#renderer.getContext() as WebGL2RenderingContext,
     });
     this.#planned = { levels: new Levels(planned), pairs: new Pairs() };
@@ -228,17 +231,33 @@ export class PathScene {
 
   async #compile(): Promise<void> {
     if (this.#isClosed) return;
+    // A line that has no points yet is shaded by another program.
+    this.#showLines('moving');
     await this.#renderer.compileAsync(this.#scene, this.#camera);
     // Each waits a moment for the graphics, and so does a picture of another size.
     for (const program of this.#renderer.info.programs ?? []) {
+      await this.#whenDone();
       if (this.#isClosed) return;
       program.getUniforms();
-      await turn();
+      const gl = this.#renderer.getContext();
+      const made = program.program as WebGLProgram;
+      if (gl.getProgramParameter(made, gl.LINK_STATUS) === false)
+        console.error(`a shader: ${gl.getProgramInfoLog(made)}`);
     }
+    await this.#whenDone();
     this.#fit(this.#pace.share());
-    await turn();
+    await this.#whenDone();
     this.#isCompiled = true;
     this.draw();
+  }
+
+  #whenDone(): Promise<void> {
+    return whenDone(this.#renderer.getContext() as WebGL2RenderingContext);
+  }
+
+  /** The graphics have forgotten what was in their memory. */
+  get isLost(): boolean {
+    return this.#renderer.getContext().isContextLost();
   }
 
   /** From where it is seen now. */
@@ -261,6 +280,9 @@ export class PathScene {
   }
 
   colours(colours: Colours): void {
+    const now = JSON.stringify(colours);
+    if (now === this.#coloursNow) return;
+    this.#coloursNow = now;
     this.#scene.background = new Color(colours.ground);
     this.#colourOf.feed = bytesOf(colours.feed);
     this.#colourOf.arc = bytesOf(colours.arc);
@@ -562,15 +584,16 @@ export class PathScene {
     if (this.#isCompiled) this.#pace.wake();
   }
 
-  #fit(share: number): void {
+  // True where nothing was to be done.
+  #fit(share: number): boolean {
     const [width, height] = this.#screen;
     const size = new Vector2(width, height).multiplyScalar(this.#ratio * share).floor();
-    if (!this.#renderer.getSize(new Vector2()).equals(size))
-      this.#renderer.setSize(size.x, size.y, false);
+    const fits = this.#renderer.getSize(new Vector2()).equals(size);
+    if (!fits) this.#renderer.setSize(size.x, size.y, false);
+    return fits;
   }
 
-  #render(share: number, how: keyof typeof fineness): void {
-    this.#fit(share);
+  #render(how: keyof typeof fineness): void {
     this.#showLines(how);
     this.#renderer.render(this.#scene, this.#camera);
     this.#pictures += 1;

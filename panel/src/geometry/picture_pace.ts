@@ -12,8 +12,9 @@ export interface Easel {
   fullPixels(): number;
   /** Makes ready what the next picture needs, until a time (performance.now()); true when that is all. */
   prepare(until: number): boolean;
-  /** share: of the width and height of such a picture; 1: one that stands. */
-  draw(share: number, stands: boolean): void;
+  /** share: of the width and height of such a picture. True when it has that size already. */
+  fit(share: number): boolean;
+  draw(stands: boolean): void;
   gl(): WebGL2RenderingContext;
 }
 
@@ -54,18 +55,28 @@ export class PicturePace {
   }
 
   #move(): void {
-    const pixels = this.easel.fullPixels();
-    const share = this.share();
-    this.easel.draw(share, false);
-    this.#whenDone((time_ms) => this.#sharpness.took(time_ms, pixels * share * share));
+    this.#whenFitted(this.share(), () => {
+      this.easel.draw(false);
+      this.#whenDone((time_ms) => this.#sharpness.took(time_ms));
+    });
+  }
+
+  // Another size may take as long as a picture: what waits for the thread goes between them.
+  #whenFitted(share: number, then: () => void): void {
+    if (this.easel.fit(share)) return then();
+    setTimeout(() => {
+      if (!this.#closed) then();
+    });
   }
 
   #stand(): void {
     if (this.#busy || this.#closed) return;
     if (!this.easel.prepare(performance.now() + slice_ms)) return this.wake();
     this.#busy = true;
-    this.easel.draw(1, true);
-    this.#whenDone(() => undefined, 'stands');
+    this.#whenFitted(1, () => {
+      this.easel.draw(true);
+      this.#whenDone(() => undefined, 'stands');
+    });
   }
 
   #whenDone(then: (time_ms: number) => void, how: 'moves' | 'stands' = 'moves'): void {

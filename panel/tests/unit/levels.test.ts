@@ -129,9 +129,25 @@ test('a press meets the segment that is nearest to the eye', () => {
 test('pictures get fewer pixels where they take long, and all of them where they do not', () => {
   const full = 1280 * 800;
   const slow = new Sharpness();
-  for (let i = 0; i < 50; ++i) slow.took(80, full * slow.share(full) ** 2);
+  expect(slow.share(full)).toBe(0.5);
+  for (let i = 0; i < 50; ++i) slow.took(80);
   expect(slow.share(full)).toBeLessThan(0.3);
   const fast = new Sharpness();
-  for (let i = 0; i < 50; ++i) fast.took(17, full * fast.share(full) ** 2);
+  fast.share(full);
+  for (let i = 0; i < 50; ++i) fast.took(17);
   expect(fast.share(full)).toBe(1);
+});
+
+test('their size changes seldom, for it is waited for', () => {
+  const full = 1280 * 800;
+  const sharpness = new Sharpness();
+  const sizes: number[] = [];
+  // Half the pixels are drawn fast enough here, more are not, and now and then something else is in the way.
+  for (let i = 0; i < 2000; ++i) {
+    const share = sharpness.share(full);
+    if (share !== sizes.at(-1)) sizes.push(share);
+    sharpness.took(i % 20 === 0 || share > 0.5 ? 60 : 15);
+  }
+  expect(sizes.length).toBeLessThan(20);
+  expect(Math.min(...sizes)).toBe(0.5);
 });

@@ -28,7 +28,7 @@ const gl = {
   deleteSync: () => undefined,
 } as unknown as WebGL2RenderingContext;
 
-function paceOf(slices: number): PicturePace {
+function paceOf(slices: number, size: 'fits' | 'differs' = 'fits'): PicturePace {
   let left = slices;
   return new PicturePace({
     fullPixels: () => 1000,
@@ -36,6 +36,11 @@ function paceOf(slices: number): PicturePace {
       did.push('slice');
       left -= 1;
       return left <= 0;
+    },
+    fit: () => {
+      const fits = size === 'fits';
+      if (!fits) did.push('size');
+      return fits;
     },
     draw: () => did.push('picture'),
     gl: () => gl,
@@ -50,6 +55,16 @@ test('a press is heard between the slices of a picture', async () => {
   setTimeout(() => did.push('press'), 1);
   await vi.advanceTimersByTimeAsync(frame_ms);
   expect(did).toEqual(['slice', 'press', 'slice', 'slice', 'slice', 'picture']);
+  pace.close();
+});
+
+test('a press is heard between another size of the picture and the picture', async () => {
+  const pace = paceOf(1, 'differs');
+  pace.wake();
+  await vi.advanceTimersByTimeAsync(frame_ms - 1);
+  setTimeout(() => did.push('press'), 1);
+  await vi.advanceTimersByTimeAsync(2);
+  expect(did).toEqual(['slice', 'size', 'press', 'picture']);
   pace.close();
 });
 
