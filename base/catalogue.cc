@@ -13,7 +13,7 @@ constexpr auto end = Reaction::program_end;
 // Sorted by code, with the rows of base/catalogue_language.h between these two lists. One line a
 // row: code, title, reaction, remedy, how to go on.
 constexpr auto alarm_rows = std::to_array<CatalogueRow>({
-    {"A1001", "an operator pressed the emergency stop", Reaction::all_axes_off,
+    {"A1001", "stopped by an operator (STOP ALL)", Reaction::all_axes_off,
      "find and remove the cause", "reset the channels, switch the machine on and start again"},
     {"A1002", "axes did not come to rest in time", Reaction::axis_stop,
      "check stop_time_max of the machine file and what kept the axes in motion; with a path that "

@@ -43,7 +43,8 @@ constexpr auto machine_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::stops,
      .action = "machine_estop",
-     .help = "emergency stop: stop along the path at once, then drives off; always accepted"},
+     .help = "STOP ALL (not the E-stop): along the path to rest at once, then drives off; "
+             "always accepted"},
     {.name = "machine.journal",
      .help = "what operators did, starts and ends of the daemon, the newest 2000, also of before",
      .result = R"({"records":[{"kind":"string","at":"number","session?":"integer","by?":"string",

@@ -74,7 +74,7 @@ void RunControl::fault(const Fault& fault) RT_SAFE {
 }
 
 void RunControl::stop_in_emergency() RT_SAFE {
-  const Fault stop{{"A1001"}, {"emergency stop by an operator"}};
+  const Fault stop{{"A1001"}, {"stopped by an operator (STOP ALL)"}};
   if (!alarm_stays_) return fault(stop);
   ++generation_;
   log_.alarm(stop.code.view(), stop.text.view(), motion_.path().tag);

@@ -33,7 +33,7 @@ std::string text_of(const Failure& failure) {
 std::string_view end_by(OperatorAction action) {
   switch (action) {
     case OperatorAction::machine_estop:
-      return "emergency stop";
+      return "STOP ALL";
     case OperatorAction::machine_off:
       return "the machine was switched off";
     case OperatorAction::program_stop:

@@ -48,7 +48,7 @@ class MachineMethods:
         return self._call("machine.off", _given())
 
     def estop(self) -> dict[str, Any]:
-        """Emergency stop: stop along the path at once, then drives off; always accepted.
+        """STOP ALL (not the E-stop): along the path to rest at once, then drives off; always accepted.
 
         ``machine.estop``, for the role operator.
         """

@@ -17,7 +17,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** emergency stop: stop along the path at once, then drives off; always accepted */
+  /** STOP ALL (not the E-stop): along the path to rest at once, then drives off; always accepted */
   "machine.estop": {
     params: Record<string, never>;
     result: {

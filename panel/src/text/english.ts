@@ -30,7 +30,7 @@ export const english = {
     'Every channel with an alarm is reset, as with its own Reset: its program is at its beginning again. Nothing moves; switch the machine on to go on.',
   stop_all: 'STOP ALL',
   stop_all_note: 'not the E-stop',
-  'alarm.stop_all': 'STOP ALL by an operator: a stop by software, not the E-stop',
+  'alarm.stop_all': 'stopped by an operator (STOP ALL): by software, not the E-stop',
   'confirm.yes': 'Yes',
   'confirm.value': 'Is this value intended?',
   'confirm.no': 'No',

@@ -131,7 +131,7 @@ TEST_F(ProgramQueueTest, RunsItsProgramsOneAfterTheOther) {
 TEST_F(ProgramQueueTest, StopsWithWhateverEndsOrReplacesAProgram) {
   namespace commands = channels::commands;
   const std::vector<std::pair<channels::OperatorCommand, std::string>> ends{
-      {commands::MachineEstop{}, "emergency stop"},
+      {commands::MachineEstop{}, "STOP ALL"},
       {commands::MachineOff{}, "the machine was switched off"},
       {commands::ProgramStop{}, "a program was stopped"},
       {commands::ProgramReset{}, "reset"},
