@@ -57,7 +57,7 @@ export function overrideAtZero({ override }: Motion): 'feed' | 'rapid' | null {
 /** In words, why a channel stands in the middle of its program. */
 export function whyStands(channel: Motion): string {
   const stopping = stoppingOverride(channel) ?? overrideAtZero(channel);
-  return t(stopping === null ? 'stands.unknown' : `stands.${stopping}`);
+  return stopping === null ? t('stands.unknown') : t(`stands.${stopping}`);
 }
 
 /** In one word what a channel is doing: running is what moves, not what a program is loaded for. */
