@@ -13,9 +13,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class OneProgram : public lang::Files {
+class ProgramThatWrites : public lang::Files {
  public:
-  explicit OneProgram(std::string text) : text_(std::make_shared<lang::SourceText>()) {
+  explicit ProgramThatWrites(std::string text) : text_(std::make_shared<lang::SourceText>()) {
     text_->name = text_->path = "part.nc";
     text_->text = std::move(text);
   }
@@ -33,8 +33,9 @@ config::MachineFile machine(const std::string& name) {
                                    "config" / "machines" / name);
 }
 
-Diagnostics check_on(const std::string& name, const std::string& program) {
-  return check_program(machine(name).machine, 1, -1, "part.nc", OneProgram(program)).diagnostics;
+Diagnostics checked_on(const std::string& name, const std::string& program) {
+  return check_program(machine(name).machine, 1, -1, "part.nc", ProgramThatWrites(program))
+      .diagnostics;
 }
 
 struct Fault {
@@ -53,7 +54,7 @@ class ImplausibleEntry : public ::testing::TestWithParam<Fault> {};
 TEST_P(ImplausibleEntry, IsFoundInItsLineBeforeTheRun) {
   const Fault& fault = GetParam();
   const Diagnostics found =
-      check_on("mill3_probe.toml", "G21 G90 G17 G94\n" + std::string(fault.program) + "\nM30\n");
+      checked_on("mill3_probe.toml", "G21 G90 G17 G94\n" + std::string(fault.program) + "\nM30\n");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "E5022") << found[0].message;
   EXPECT_EQ(found[0].place.file, "part.nc");
@@ -76,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ImplausibleEntries, OfVariablesOfADialectAreFound) {
   const Diagnostics found =
-      check_on("mill3_probe.toml", "(dialect fanuc)\nG21 G90\n#5221=99999\nM30\n");
+      checked_on("mill3_probe.toml", "(dialect fanuc)\nG21 G90\n#5221=99999\nM30\n");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "E5022");
   EXPECT_EQ(found[0].place.line, 3);
@@ -85,8 +86,8 @@ TEST(ImplausibleEntries, OfVariablesOfADialectAreFound) {
 // A lathe has tools whose length along Z is negative, a mill has none.
 TEST(ImplausibleEntries, DependOnTheMachine) {
   const std::string program = "G21 G18 G90 G94\nG10 L1 P1 Z-40\nM30\n";
-  EXPECT_TRUE(check_on("lathe.toml", program).empty());
-  EXPECT_EQ(check_on("mill3_probe.toml", program).size(), 1U);
+  EXPECT_TRUE(checked_on("lathe.toml", program).empty());
+  EXPECT_EQ(checked_on("mill3_probe.toml", program).size(), 1U);
 }
 
 }  // namespace

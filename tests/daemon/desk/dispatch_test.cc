@@ -1,15 +1,7 @@
 // Dispatch: roles, parameters, queries, commands and their answers, against a fake machine.
-#include "daemon/desk/dispatch.h"
-
-#include <gtest/gtest.h>
-
 #include <fstream>
-#include <optional>
 
-#include "channels/contract/operator_action.h"
-#include "tests/daemon/desk/accepted_parameters.h"
-#include "tests/daemon/fake_machine.h"
-#include "tests/support/temporary_directory.h"
+#include "tests/daemon/desk/dispatch_fixture.h"
 
 namespace stanok::daemon {
 namespace {
@@ -25,80 +17,7 @@ int session_in(const channels::OperatorEvent& event) {
   return std::get<channels::commands::ChannelControl>(event.command).session;
 }
 
-class DispatchTest : public ::testing::Test {
- protected:
-  DispatchTest() { session.role = Role::integrator; }
-
-  // The answer; nothing while it is still to come.
-  std::shared_ptr<std::optional<CommandResult>> ask(const std::string& method,
-                                                    json parameters = json::object()) {
-    const auto slot = std::make_shared<std::optional<CommandResult>>();
-    protocol::Request request;
-    request.id = 1;
-    request.method = method;
-    request.parameters = std::move(parameters);
-    dispatch.handle(session, request, [slot](const CommandResult& outcome) {
-      EXPECT_FALSE(slot->has_value()) << "answered twice";
-      *slot = outcome;
-    });
-    return slot;
-  }
-  json result(const std::string& method, json parameters = json::object()) {
-    const auto slot = ask(method, std::move(parameters));
-    EXPECT_TRUE(slot->has_value() && slot->value().has_value()) << method;
-    return slot->has_value() && slot->value() ? *slot->value() : json();
-  }
-  Failure failure(const std::string& method, json parameters = json::object()) {
-    const auto slot = ask(method, std::move(parameters));
-    EXPECT_TRUE(slot->has_value() && !slot->value().has_value()) << method;
-    return slot->has_value() && !slot->value() ? slot->value().error() : Failure{};
-  }
-  void tick(std::chrono::milliseconds after) { dispatch.tick(SteadyTime{} + 1h + after); }
-
-  // A method that the desk answers, at once, from another thread or when the cycle knows it.
-  void expect_an_answer(const protocol::Method& method, const json& parameters) {
-    const auto slot = ask(std::string(method.name), parameters);
-    if (method.name == "channel.control")
-      dispatch.on_reply(accepted(machine.submitted().back().id));
-    else
-      while (!slot->has_value()) tick(1ms);
-    ASSERT_TRUE(slot->has_value());
-    EXPECT_TRUE(slot->value().has_value()) << slot->value().error().message;
-  }
-  // A method that is handed to the machine.
-  void expect_an_action(const protocol::Method& method, const json& parameters) {
-    const std::size_t before = machine.submitted().size();
-    const auto slot = ask(std::string(method.name), parameters);
-    ASSERT_EQ(machine.submitted().size(), before + 1);
-    EXPECT_EQ(channels::name_of(machine.submitted().back().action()), method.action);
-    dispatch.on_reply(accepted(machine.submitted().back().id));
-    ASSERT_TRUE(slot->has_value());
-    EXPECT_EQ(*slot->value(), json({{"accepted", true}}));
-  }
-
-  FakeMachine machine;
-  bool shutdown_asked = false;
-  SessionState session;
-  Dispatch dispatch{machine, {"test", "/state", "/socket"}, [this] { shutdown_asked = true; }};
-};
-
 // Of two sessions one has channel 1; only stops of the other one pass.
-TEST_F(DispatchTest, TellsWhatWasLostOnItsWayToPeople) {
-  const json status = result("machine.status");
-  EXPECT_EQ(status["replies_lost"], 2);
-  EXPECT_TRUE(status["log_lines_lost"].is_number_unsigned());
-}
-
-TEST_F(DispatchTest, TellsWhatIsKeptOfLogsAndWithinWhichBounds) {
-  const json kept = result("log.status")["kept"];
-  EXPECT_EQ(kept["files"], 7);
-  EXPECT_EQ(kept["bytes"], 70);
-  EXPECT_EQ(kept["bytes_max"], 1000);
-  EXPECT_EQ(kept["hours_max"], 48);
-  EXPECT_EQ(kept["free_bytes"], 5000);
-  EXPECT_TRUE(kept["free_bytes_min"].is_null()) << "no bound";
-}
-
 TEST_F(DispatchTest, GivesAChannelToOneSession) {
   session.id = 3;
   session.peer = "uid 1000, pid 77";
@@ -225,40 +144,6 @@ TEST_F(DispatchTest, SaysWhatIsUnknown) {
   EXPECT_EQ(failure("channel.status", {{"chanel", 1}}).code, "E9003");
   EXPECT_EQ(failure("channel.status", {{"channel", 3}}).code, "E6001");
   EXPECT_EQ(failure("program.hold", {{"channel", 3}}).code, "E6001");
-}
-
-TEST_F(DispatchTest, ShowsAChannelWithTheWordsOfOpc) {
-  struct Case {
-    channels::ChannelState state;
-    bool waiting;
-    const char* state_word;
-    const char* program_word;
-  };
-  using channels::ChannelState;
-  for (const Case& c : {Case{ChannelState::idle, false, "Reset", "Stopped"},
-                        Case{ChannelState::ready, false, "Reset", "Stopped"},
-                        Case{ChannelState::running, false, "Active", "Running"},
-                        Case{ChannelState::running, true, "Active", "Waiting"},
-                        Case{ChannelState::held, false, "Interrupted", "Interrupted"},
-                        Case{ChannelState::alarm, false, "Interrupted", "Canceled"}}) {
-    machine.output.channels[0].state = c.state;
-    machine.output.channels[0].waiting = c.waiting;
-    const json status = result("channel.status");
-    EXPECT_EQ(status["state"], c.state_word);
-    EXPECT_EQ(status["program_status"], c.program_word);
-  }
-  machine.output.channels[0].point_W[0].value = 12.5;
-  machine.output.channels[0].axes[0].position = -3.25;
-  machine.output.channels[0].feed_override = 0.75;
-  const json status = result("channel.status", {{"channel", 1}});
-  EXPECT_EQ(status["position"], json({{"X", 12.5}, {"B", 0.0}}));
-  EXPECT_EQ(status["axes"]["X2"]["position"], -3.25);
-  EXPECT_EQ(status["override"]["feed"], 75.0);
-  for (const char* member :
-       {"id", "name", "state", "program_status", "alarm", "program", "line", "block", "scheme",
-        "position", "feed_mm_s", "override", "remaining_s"}) {
-    EXPECT_TRUE(status.contains(member)) << member;
-  }
 }
 
 TEST_F(DispatchTest, RemembersOverridesThatTheMachineTook) {
@@ -519,64 +404,11 @@ TEST_F(DispatchTest, NamesTheFirstChannelWhenNoneIsNamedAndNoneForTheMachine) {
   EXPECT_EQ(machine.submitted().back().channel, 0);
 }
 
-TEST_F(DispatchTest, ShowsSchemesAndTheirAxes) {
-  const json list = result("kinematics.list");
-  ASSERT_EQ(list["schemes"].size(), 2U);
-  EXPECT_EQ(list["schemes"][0]["active"], true);
-  EXPECT_EQ(list["schemes"][1]["axes"], json::array({"X", "B"}));
-  const json active = result("kinematics.status");
-  EXPECT_EQ(active["scheme"], 1);
-  EXPECT_EQ(active["axes"][0]["takes_part"], true);
-  EXPECT_EQ(active["axes"][1]["takes_part"], false);
-}
-
-TEST_F(DispatchTest, ShowsTheCuttingProcess) {
-  channels::ChannelOutput& channel = machine.output.channels[0];
-  channel.running = true;
-  channel.process.law = motion::LawKind::modulated;
-  channel.process.increments = 12;
-  channel.process.feed_mm_per_min = 150.0;
-  channel.process.feed_mm_per_rev = 0.25;
-  channel.process.spindle_rev_per_min = 600.0;
-  channel.process.cutting_speed_m_per_min = 94.2;
-  const json process = result("process.status");
-  EXPECT_EQ(process["law"], "modulated");
-  EXPECT_EQ(process["increments"], 12);
-  EXPECT_EQ(process["feed_mm_min"], 150.0);
-  EXPECT_EQ(process["feed_mm_rev"], 0.25);
-  EXPECT_EQ(process["spindle_rev_min"], 600.0);
-  channel.running = false;
-  EXPECT_TRUE(result("process.status")["law"].is_null());
-}
-
 TEST_F(DispatchTest, BeginsAndEndsLogs) {
   EXPECT_EQ(failure("log.stop").code, "E9012");
   EXPECT_EQ(result("log.start")["path"], "mill.lcm");
   EXPECT_EQ(failure("log.start").code, "E9011");
   EXPECT_EQ(result("log.stop")["path"], "mill.lcm");
-}
-
-TEST_F(DispatchTest, ShowsOneToolAndSaysWhichThereIsNot) {
-  EXPECT_EQ(result("tool.get", {{"number", 32000}})["length"], 77.5);
-  EXPECT_EQ(failure("tool.get", {{"number", 5}}).code, "E5021");
-  EXPECT_EQ(failure("tool.get", {{"number", 32000}, {"edge", 2}}).code, "E5021");
-}
-
-TEST_F(DispatchTest, AllowsWorkpiecesAndShowsThem) {
-  EXPECT_EQ(result("workpiece.status"), json({{"allowed", false}, {"workpieces", json::array()}}));
-  EXPECT_EQ(result("workpiece.allow"), json({{"allowed", true}}));
-  machine.change([](FakeMachine& changed) {
-    channels::Workpiece& workpiece = changed.output.channels[0].workpiece;
-    workpiece.announcements = 1;
-    workpiece.has_shape = true;
-    workpiece.shape.size_mm = {80.0, 60.0, 20.0};
-  });
-  const json status = result("workpiece.status");
-  EXPECT_TRUE(status["allowed"]);
-  ASSERT_EQ(status["workpieces"].size(), 1U);
-  EXPECT_EQ(status["workpieces"][0]["shape"], "box");
-  EXPECT_EQ(status["workpieces"][0]["size"], json({80.0, 60.0, 20.0}));
-  EXPECT_EQ(result("workpiece.allow", {{"on", 0}}), json({{"allowed", false}}));
 }
 
 TEST_F(DispatchTest, ResetsDrivesByName) {

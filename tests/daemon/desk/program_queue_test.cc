@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "channels/contract/operator_action.h"
 #include "daemon/desk/dispatch.h"
 #include "tests/daemon/fake_machine.h"
 #include "tests/daemon/live_daemon.h"
