@@ -54,6 +54,13 @@ class MachineMethods:
         """
         return self._call("machine.estop", _given())
 
+    def journal(self) -> dict[str, Any]:
+        """What operators did, starts and ends of the daemon, the newest 2000, also of before.
+
+        ``machine.journal``, for the role observer.
+        """
+        return self._call("machine.journal", _given())
+
     def status(self) -> dict[str, Any]:
         """Cycle, drives, real-time figures, state of every channel.
 
@@ -410,7 +417,8 @@ class ProgramMethods:
         return self._call("program.list", _given())
 
     def history(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Program runs since the daemon started, with blocks and times, the newest 500 of each channel.
+        """Program runs, with times and how they ended, the newest 500 of each channel; cycles are those of this
+        start of the daemon.
 
         ``program.history``, for the role observer.
 
@@ -682,7 +690,7 @@ class AlarmMethods:
         return self._call("alarm.ack", _given(channel=channel))
 
     def history(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Alarms since the daemon started, the newest 500 of each channel.
+        """Alarms, the newest 500 of each channel.
 
         ``alarm.history``, for the role observer.
 

@@ -24,6 +24,24 @@ export interface Methods {
       accepted: boolean;
     };
   };
+  /** what operators did, starts and ends of the daemon, the newest 2000, also of before */
+  "machine.journal": {
+    params: Record<string, never>;
+    result: {
+      error: string | null;
+      records: {
+        at: number;
+        by?: string;
+        kind: string;
+        method?: string;
+        outcome?: string;
+        parameters?: unknown;
+        session?: number;
+        text?: string;
+        version?: string;
+      }[];
+    };
+  };
   /** cycle, drives, real-time figures, state of every channel */
   "machine.status": {
     params: Record<string, never>;
@@ -96,6 +114,7 @@ export interface Methods {
       age_ms: number;
       alarm: {
         acknowledged?: boolean;
+        at: number | null;
         channel: number;
         code: string;
         column: number | null;
@@ -128,6 +147,7 @@ export interface Methods {
       file: string | null;
       foreseen: {
         acknowledged?: boolean;
+        at: number | null;
         channel: number;
         code: string;
         column: number | null;
@@ -343,6 +363,7 @@ export interface Methods {
     result: {
       alarm: {
         acknowledged?: boolean;
+        at: number | null;
         channel: number;
         code: string;
         column: number | null;
@@ -373,6 +394,7 @@ export interface Methods {
     result: {
       alarm: {
         acknowledged?: boolean;
+        at: number | null;
         channel: number;
         code: string;
         column: number | null;
@@ -571,7 +593,7 @@ export interface Methods {
       root: string;
     };
   };
-  /** program runs since the daemon started, with blocks and times, the newest 500 of each channel */
+  /** program runs, with times and how they ended, the newest 500 of each channel; cycles are those of this start of the daemon */
   "program.history": {
     params: {
       channel?: number;
@@ -579,10 +601,13 @@ export interface Methods {
     result: {
       forgotten?: number;
       runs: ({
-        begun_cycle: number;
+        begun_at: number | null;
+        begun_cycle: number | null;
         blocks: number;
         channel: number;
+        end: string | null;
         ended: boolean;
+        ended_at: number | null;
         ended_cycle: number | null;
         number: number;
         ok: boolean;
@@ -908,6 +933,7 @@ export interface Methods {
     result: {
       alarms: ({
         acknowledged?: boolean;
+        at: number | null;
         channel: number;
         code: string;
         column: number | null;
@@ -931,7 +957,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** alarms since the daemon started, the newest 500 of each channel */
+  /** alarms, the newest 500 of each channel */
   "alarm.history": {
     params: {
       channel?: number;
@@ -939,6 +965,7 @@ export interface Methods {
     result: {
       alarms: ({
         acknowledged?: boolean;
+        at: number | null;
         channel: number;
         code: string;
         column: number | null;
@@ -1580,6 +1607,7 @@ export interface Methods {
     result: {
       api: number;
       build: string;
+      history: string | null;
       pid: number;
       server: string;
       uptime_s: number;
@@ -1614,6 +1642,7 @@ export const method_roles: Record<MethodName, string> = {
   "machine.on": 'operator',
   "machine.off": 'operator',
   "machine.estop": 'operator',
+  "machine.journal": 'observer',
   "machine.status": 'observer',
   "channel.list": 'observer',
   "channel.status": 'observer',
