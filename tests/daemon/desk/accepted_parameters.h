@@ -36,6 +36,8 @@ inline nlohmann::json accepted_parameters(const protocol::Method& method) {
     if (parameter.presence != protocol::Presence::optional)
       parameters[std::string(parameter.name)] = accepted_value(parameter);
   }
+  const bool is_entry = protocol::noun(method) == "tool" || protocol::noun(method) == "offset";
+  if (is_entry && parameters.contains("value")) parameters["value"] = 1;  // that is likely
   if (method.name == "program.remove") parameters["version"] = "any";
   if (method.name == "program.path") parameters.clear();
   if (method.name == "scope.start") parameters["signals"] = "cycle.time";
