@@ -33,8 +33,8 @@ class SituationBook {
  private:
   // More than the path queue and the look-ahead hold.
   static constexpr std::size_t blocks_max = 32768;
-  // Displays ask with outputs of different ages, of a second at most.
-  static constexpr std::size_t kept_behind = 1024;
+  // Displays and the recorder ask with outputs of different ages.
+  static constexpr std::size_t kept_behind = 8192;
   struct End {
     std::uint64_t block = 0;
     motion::Point end_W{};

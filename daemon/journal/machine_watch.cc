@@ -16,8 +16,7 @@ constexpr double look_period_s = 1.0;  // where nothing seems to be new
 
 }  // namespace
 
-MachineWatch::MachineWatch(RunningMachine& machine, const channels::Past& past)
-    : machine_(machine) {
+void MachineWatch::pass_over(const channels::Past& past) {
   for (const RunReport& run : past.runs) {
     Known& known = known_[run.channel];
     known.begun = known.ended = run.number;

@@ -18,9 +18,11 @@ namespace stanok::daemon {
 
 class MachineWatch {
  public:
-  // `past` is in the journal already.
-  MachineWatch(RunningMachine& machine, const channels::Past& past);
+  // The machine outlives the watch.
+  explicit MachineWatch(RunningMachine& machine) : machine_(machine) {}
 
+  // This is in the journal already.
+  void pass_over(const channels::Past& past);
   // Records of what is new, `now` being the Unix time.
   [[nodiscard]] std::vector<nlohmann::json> look(double now);
 

@@ -29,10 +29,8 @@ std::string place_of(const JournalContents::CutOff& cut) {
 // the clock may be set.
 MachineHistory::MachineHistory(const std::filesystem::path& state_directory,
                                RunningMachine& machine, channels::Machine& reports)
-    : machine_(machine),
-      reports_(reports),
-      journal_(state_directory),
-      watch_(machine, journal_.before().past()) {
+    : machine_(machine), reports_(reports), watch_(machine), journal_(state_directory) {
+  watch_.pass_over(journal_.before().past());
   const double cycle_s = machine.file().machine.cycle_us * 1e-6;
   reports_.recall(journal_.before().past(), [&machine, cycle_s](std::int64_t cycle) {
     return unix_time_s() - static_cast<double>(machine.cycles() - cycle) * cycle_s;

@@ -38,8 +38,8 @@ class MachineHistory {
 
   RunningMachine& machine_;
   channels::Machine& reports_;
-  Journal journal_;
   MachineWatch watch_;
+  Journal journal_;  // last: it looks through the watch until its end
 };
 
 }  // namespace stanok::daemon

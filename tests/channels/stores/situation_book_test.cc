@@ -78,7 +78,7 @@ TEST(SituationBookTest, KeepsWhatIsAheadAndLittleThatIsBehind) {
                                  .block = block - ahead,
                                  .situation = situation - static_cast<std::uint32_t>(ahead)};
     EXPECT_EQ((*book.at(shown).end_W)[0], static_cast<double>(block - ahead));
-    EXPECT_LT(book.size(), 2 * (ahead + 1300));
+    EXPECT_LT(book.size(), 2 * (ahead + 8192 + 300));
   }
 }
 
