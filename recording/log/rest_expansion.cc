@@ -26,7 +26,8 @@ std::optional<RestStream> stream_of(const log_rest_t& record, std::size_t k,
                     .seq_step = record.stream_seq_step[k]};
   stream.latest = latest.find(stream.channel, stream.part);
   if (stream.latest == nullptr || stream.latest->bytes.size() < stamp_end) return std::nullopt;
-  const bool follows = stamp_of(stream.latest->bytes).seq == stream.seq - stream.seq_step;
+  const bool follows = stamp_of(stream.latest->bytes).seq == stream.seq - stream.seq_step &&
+                       sum_of(stream.latest->bytes) == record.stream_sum[k];
   const bool is_possible = stream.step > 0 && stream.step < cycles_max * cycles_max &&
                            stream.seq_step > 0 && stream.due >= record.first_cycle;
   return follows && is_possible ? std::optional(std::move(stream)) : std::nullopt;

@@ -163,6 +163,7 @@ void RestFilter::write_record() {
       record.stream_step.push_back(stream.step);
       record.stream_seq.push_back(stream.seq);
       record.stream_seq_step.push_back(stream.seq_step);
+      record.stream_sum.push_back(sum_of(stream.latest->bytes));
     }
   }
   record.stream_count = static_cast<std::int32_t>(record.stream_name.size());

@@ -45,6 +45,18 @@ void put_stamp(const MessageStamp& stamp, std::span<std::uint8_t> bytes) {
   put_number(stamp.seq, seq_at, bytes);
 }
 
+std::int64_t sum_of(std::span<const std::uint8_t> bytes) {
+  constexpr std::uint64_t basis = 14695981039346656037ULL;
+  constexpr std::uint64_t prime = 1099511628211ULL;
+  std::uint64_t sum = basis;
+  const auto add = [&](std::span<const std::uint8_t> part) {
+    for (const std::uint8_t byte : part) sum = (sum ^ byte) * prime;
+  };
+  add(bytes.first(utime_at));
+  add(bytes.subspan(stamp_end));
+  return static_cast<std::int64_t>(sum);
+}
+
 std::int32_t part_of(std::string_view channel, std::span<const std::uint8_t> bytes) {
   if (bytes.size() < path_first_at + 4 || topic_of(channel) != name_of(Topic::path)) return 0;
   return static_cast<std::int32_t>(big_endian(bytes.subspan(path_first_at, 4)));

@@ -26,6 +26,8 @@ inline constexpr std::size_t stamp_end = 32;  // bytes of fingerprint and stamp
 // Of a message of at least `stamp_end` bytes.
 [[nodiscard]] MessageStamp stamp_of(std::span<const std::uint8_t> bytes);
 void put_stamp(const MessageStamp& stamp, std::span<std::uint8_t> bytes);
+// What all messages of a stretch have in common: of fingerprint and what follows the stamp.
+[[nodiscard]] std::int64_t sum_of(std::span<const std::uint8_t> bytes);
 // Of a path the place of its first point, else 0.
 [[nodiscard]] std::int32_t part_of(std::string_view channel, std::span<const std::uint8_t> bytes);
 

@@ -55,8 +55,8 @@ TEST(Journal, WhatNobodyBeginsLeavesNothingBehind) {
 TEST(Journal, WhatCannotBeReadIsPutAside) {
   const testing::TemporaryDirectory folder;
   fs::create_directory(folder.path() / "journal.jsonl");
-  Journal journal(folder.path());
   std::atomic<int> faults{0};
+  Journal journal(folder.path());
   journal.begin([] { return std::vector<json>{}; }, [&](const std::string&) { ++faults; });
   wait_for([&] { return fs::is_regular_file(folder.path() / "journal.jsonl"); });
   EXPECT_TRUE(fs::is_directory(folder.path() / "journal.jsonl.damaged"));
@@ -68,9 +68,9 @@ TEST(Journal, ADiskThatTakesNothingIsToldOnceAndTriedAgain) {
   const testing::TemporaryDirectory parent;
   const fs::path folder = parent.path() / "state";
   {
-    Journal journal(folder);
     std::atomic<int> faults{0};
     std::atomic<int> looks{0};
+    Journal journal(folder);
     journal.begin(
         [&] {
           ++looks;

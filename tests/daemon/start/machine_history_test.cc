@@ -1,0 +1,45 @@
+// MachineHistory: what the disk does not take is told to operators.
+#include "daemon/start/machine_history.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "tests/daemon/live_daemon.h"
+
+namespace stanok::daemon {
+namespace {
+
+using nlohmann::json;
+
+class MachineHistoryTest : public ::testing::Test {
+ protected:
+  json ask(const std::string& method, const json& parameters = json::object()) {
+    client.request(++last, method, parameters);
+    const json answer = client.receive("id", last);
+    return answer.contains("result") ? answer["result"] : answer["error"]["data"];
+  }
+
+  LiveDaemon daemon;
+  RawClient client{daemon.socket()};
+  int last = 0;
+};
+
+TEST_F(MachineHistoryTest, WhatIsNotKeptIsAnAlarmUntilItIsAcknowledged) {
+  std::filesystem::remove_all(daemon.socket().parent_path() / "state");
+  const json refused = ask("offset.set", {{"offset", "G54"}, {"axis", "X"}, {"value", 7.5}});
+  EXPECT_EQ(refused["code"], "E9025");
+  const json alarms = ask("alarm.list")["alarms"];
+  ASSERT_EQ(alarms.size(), 1U);
+  EXPECT_EQ(alarms[0]["code"], "W940");
+  EXPECT_EQ(alarms[0]["channel"], 1);
+  EXPECT_TRUE(alarms[0]["at"].is_number());
+  EXPECT_EQ(ask("channel.status", {{"channel", 1}})["state"], "Reset") << "it stops nothing";
+  ask("alarm.ack");
+  EXPECT_EQ(ask("alarm.list")["alarms"], json::array());
+}
+
+}  // namespace
+}  // namespace stanok::daemon
