@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <optional>
 #include <span>
+#include <stdexcept>
 
 namespace stanok::recording {
 
@@ -17,13 +19,21 @@ namespace stanok::recording {
   return static_cast<std::int64_t>(cycle);
 }
 
-// Nothing when the bytes are not exactly one message of that type.
+// Nothing when the bytes are not exactly one message of that type. The decoders of LCM throw where
+// a string claims to have no byte, not even its end, and where an array claims more than there is
+// memory for.
 template <class Message>
 [[nodiscard]] std::optional<Message> decode(std::span<const std::uint8_t> bytes) {
   if (bytes.size() > std::numeric_limits<int>::max()) return std::nullopt;
   Message message;
   const int size = static_cast<int>(bytes.size());
-  if (message.decode(bytes.data(), 0, size) != size) return std::nullopt;
+  try {
+    if (message.decode(bytes.data(), 0, size) != size) return std::nullopt;
+  } catch (const std::length_error&) {
+    return std::nullopt;
+  } catch (const std::bad_alloc&) {
+    return std::nullopt;
+  }
   return message;
 }
 

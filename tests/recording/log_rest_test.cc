@@ -213,7 +213,7 @@ TEST_F(LogRest, PathsOfDisplaysAreLeftOutToo) {
   const std::int64_t before = writer->status().bytes;
   rest(130'000);
   end();
-  EXPECT_LT(size_of(file) - before, 30'000);
+  EXPECT_LT(size_of(file) - before, 35'000);
   EXPECT_EQ(difference(messages_of(full_file), messages_of(file)), "");
 }
 
