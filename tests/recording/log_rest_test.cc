@@ -304,6 +304,7 @@ TEST_F(LogRest, AnAbsurdRecordGivesNothing) {
   record.stream_step = {1};
   record.stream_seq = {10};
   record.stream_seq_step = {1};
+  record.stream_sum = {0};
   Bytes bytes(static_cast<std::size_t>(record.getEncodedSize()));
   record.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
   writer->send("STANOK_MILL_LOG_REST", 0, bytes);

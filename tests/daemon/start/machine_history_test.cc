@@ -32,10 +32,12 @@ TEST_F(MachineHistoryTest, WhatIsNotKeptIsAnAlarmUntilItIsAcknowledged) {
   const json refused = ask("offset.set", {{"offset", "G54"}, {"axis", "X"}, {"value", 7.5}});
   EXPECT_EQ(refused["code"], "E9025");
   const json alarms = ask("alarm.list")["alarms"];
-  ASSERT_EQ(alarms.size(), 1U);
-  EXPECT_EQ(alarms[0]["code"], "W940");
-  EXPECT_EQ(alarms[0]["channel"], 1);
-  EXPECT_TRUE(alarms[0]["at"].is_number());
+  ASSERT_FALSE(alarms.empty());  // of the tables, and of the positions when it is their time
+  for (const json& alarm : alarms) {
+    EXPECT_EQ(alarm["code"], "W940");
+    EXPECT_EQ(alarm["channel"], 1);
+    EXPECT_TRUE(alarm["at"].is_number());
+  }
   EXPECT_EQ(ask("channel.status", {{"channel", 1}})["state"], "Reset") << "it stops nothing";
   ask("alarm.ack");
   EXPECT_EQ(ask("alarm.list")["alarms"], json::array());
