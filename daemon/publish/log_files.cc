@@ -58,7 +58,7 @@ void LogFiles::begin_with_next_cycle(std::unique_ptr<recording::LogWriter> log,
 
 std::optional<Expected<fs::path, recording::LogError>> LogFiles::start() {
   const std::lock_guard lock(mutex_);
-  if (!status_.file.empty() || status_.rests || turns_) return std::nullopt;
+  if (!status_.file.empty() || status_.rests) return std::nullopt;
   if (!no_room_.empty()) return Unexpected<recording::LogError>({.text = no_room_});
   fs::path file = log_file_name(directory_, name_);
   auto log = open(file);

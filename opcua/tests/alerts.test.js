@@ -56,6 +56,7 @@ const alarm = {
   channel: 1,
   number: 1,
   cycle: 100,
+  at: null,
   code: 'E6010',
   text: 'X at its limit',
   file: null,

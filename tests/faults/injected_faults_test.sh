@@ -42,6 +42,8 @@ start_traced() {
   daemon=$!
   for ((k = 0; k < 600; ++k)); do
     "${operate[@]}" system info >/dev/null 2>&1 && return
+    # At the start the folder is synchronised for the queue.
+    [[ $3 != signal=* ]] || kill -0 "$daemon" 2>/dev/null || return 0
     sleep 0.05
   done
   fail "the traced daemon does not answer"

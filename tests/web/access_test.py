@@ -205,7 +205,7 @@ class StolenCookies(WithServer):
 
     def test_a_window_without_the_key_sees_no_machine_and_ends_the_session(self):
         def machine_start(window):
-            window.send({"jsonrpc": "2.0", "id": 1, "method": "program.start", "params": {}})
+            window.send({"jsonrpc": "2.0", "id": 1, "method": "program.start", "params": {"seen_cycle": 0}})
 
         def other_key(window):
             window.send({"jsonrpc": "2.0", "method": "session.key", "params": {"key": "x" * 43}})
@@ -259,7 +259,7 @@ class Users(WithUsers):
         self.user("add", "olga", "--role", "observer")
         self.wait_for_user("olga")
         window = self.browser.open_window()
-        window.send({"jsonrpc": "2.0", "id": 1, "method": "program.start", "params": {}})
+        window.send({"jsonrpc": "2.0", "id": 1, "method": "program.start", "params": {"seen_cycle": 0}})
         self.daemon.wait_until(lambda daemon: len(daemon.lines) == 2)
         self.assertEqual(json.loads(self.daemon.lines[0])["params"], {"role": "observer", "name": "olga"})
         self.assertEqual(json.loads(self.daemon.lines[1])["method"], "program.start")

@@ -99,7 +99,7 @@ run_on_peer() {
   until_true 10 test -s "$folder/ready" || fail "no pymodbus server: $(cat "$seen")"
   "$stanok" machine check "$folder/machine.toml" >/dev/null || fail "the machine of the document is refused"
   printf 'M3 S1500\nG1 X10 Y-0 F1200\nM64 P0\nG4 P0.5\nM65 P0\nM5\nM30\n' >"$folder/part.nc"
-  "$stanokd" --machine "$folder/machine.toml" --drives real --lcm off --state "$folder/state" \
+  "$stanokd" --machine "$folder/machine.toml" --drives real --lcm off --state "$folder/state-$1" \
     --socket "$folder/op.sock" --program-root "$folder" 2>"$folder/stanokd.txt" &
   daemon=$!
   started+=("$daemon")
