@@ -632,7 +632,6 @@ describe('tables', () => {
   });
 
   test('a value that the daemon wants to have confirmed is a question', async () => {
-    // As a machine file with limits would have it.
     const confirmed = [];
     const before = (page) =>
       page.routeWebSocket(/\/ws$/, (socket) => {
@@ -640,17 +639,8 @@ describe('tables', () => {
         server.onMessage((text) => socket.send(text));
         socket.onMessage((text) => {
           const message = JSON.parse(text);
-          if (message.method !== 'tool.set') return server.send(text);
-          const { confirmed: yes, ...params } = message.params;
-          confirmed.push(yes);
-          if (yes) return server.send(JSON.stringify({ ...message, params }));
-          const data = { code: 'E6095', remedy: 'confirm it' };
-          const error = {
-            code: -32001,
-            message: 'length 444.000 mm is larger than is likely',
-            data,
-          };
-          socket.send(JSON.stringify({ jsonrpc: '2.0', id: message.id, error }));
+          if (message.method === 'tool.set') confirmed.push(message.params.confirmed);
+          server.send(text);
         });
       });
     const page = await stage.openMachine({ before });
@@ -658,9 +648,9 @@ describe('tables', () => {
     const length = async () => (await stage.client.call('tool.get', { number: 1 })).length;
     const asItWas = await length();
     const cell = page.getByLabel('T1.1 length', { exact: true });
-    const question = page.getByRole('alert').filter({ hasText: 'larger than is likely' });
+    const question = page.getByRole('alert').filter({ hasText: 'tool_length_max' });
     const ask = async () => {
-      await cell.fill('444');
+      await cell.fill('600');
       await cell.press('Enter');
       await question.getByText('Is this value intended?').waitFor();
     };
@@ -671,9 +661,15 @@ describe('tables', () => {
     assert.equal(await length(), asItWas);
     await ask();
     await question.getByRole('button', { name: 'Yes', exact: true }).click();
-    await until('444', async () => (await length()) === 444);
+    await until('600', async () => (await length()) === 600);
     assert.deepEqual(confirmed, [undefined, undefined, 1]);
-    await stage.client.call('tool.set', { number: 1, edge: 1, key: 'length', value: asItWas });
+    await stage.client.call('tool.set', {
+      number: 1,
+      edge: 1,
+      key: 'length',
+      value: asItWas,
+      confirmed: 1,
+    });
     await page.context().close();
   });
 });
