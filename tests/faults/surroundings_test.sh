@@ -114,7 +114,7 @@ fi
 
 # Memory that ends where no program is to blame: feed hold, drives off, and an end that says so.
 if ! is_sanitized; then
-  for ((k = 1; k < 20000; ++k)); do printf '[tool.%d.1]\nlength = %d.25\nradius = 2.5\n' "$k" "$k"; done >"$folder/large.toml"
+  for ((k = 1; k < 20000; ++k)); do printf '[tool.%d.1]\nlength = %d.25\nradius = 2.5\n' "$k" $((k % 400)); done >"$folder/large.toml"
   start_daemon
   switch_on
   expect_exit 0 program run long.nc
