@@ -105,18 +105,31 @@ void Journal::write() {
       for (const json& record : seen) contents_.take(record);
     }
     unwritten_.insert(unwritten_.end(), seen.begin(), seen.end());
-    fault = file_.append(unwritten_);
-    if (!fault) unwritten_.clear();
-    // What is replaced by what is remembered lacks nothing of it.
-    const bool is_long = file_.bytes() > bytes_max || unwritten_.size() > unwritten_max;
-    if (is_long) {
-      unwritten_.clear();
-      fault = file_.replace(contents_.records());
-    }
+    fault = bring_to_disk();
   } catch (const std::exception& thrown) {
     fault = thrown.what();
   }
   note_outcome(fault);
+}
+
+// Where more waits for the disk than memory is for, only what is remembered of it is written, in
+// the place of the file, as soon as the disk takes that.
+std::optional<std::string> Journal::bring_to_disk() {
+  if (unwritten_.size() > unwritten_max) {
+    unwritten_.clear();
+    is_behind_ = true;
+  }
+  const bool has_news = !unwritten_.empty();
+  if (!is_behind_) {
+    if (auto fault = file_.append(unwritten_)) return fault;
+    unwritten_.clear();
+  }
+  const bool is_long = has_news && file_.bytes() > bytes_max;
+  if (!is_behind_ && !is_long) return std::nullopt;
+  if (auto fault = file_.replace(contents_.records())) return fault;
+  unwritten_.clear();
+  is_behind_ = false;
+  return std::nullopt;
 }
 
 void Journal::note_outcome(const std::optional<std::string>& fault) {

@@ -55,6 +55,7 @@ class Journal {
   void read();
   void run(const std::stop_token& stop);
   void write();
+  [[nodiscard]] std::optional<std::string> bring_to_disk();
   void note_outcome(const std::optional<std::string>& fault);
 
   JournalFile file_;
@@ -63,6 +64,7 @@ class Journal {
   OnFault on_fault_;
   std::string id_;
   std::vector<nlohmann::json> unwritten_;  // of the thread
+  bool is_behind_ = false;                 // the file lacks more than is unwritten; of the thread
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;
   JournalContents contents_;

@@ -77,10 +77,9 @@ std::optional<std::string> JournalFile::fault(int error) {
   return file_.string() + ": " + system_error_text(error);
 }
 
-// What a power failure has cut off gets an end.
+// What a power failure has cut off gets an end. The folder each time: it may have failed before.
 std::optional<std::string> JournalFile::open() {
   if (descriptor_ >= 0) return std::nullopt;
-  const bool is_new = !fs::exists(file_);
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, journal_mode);
   if (descriptor_ < 0) return fault(errno);
   struct stat state{};
@@ -92,9 +91,7 @@ std::optional<std::string> JournalFile::open() {
     if (const int error = write_bytes(descriptor_, "\n"); error != 0) return fault(error);
     ++bytes_;
   }
-  if (is_new) {
-    if (const int error = sync_folder(file_.parent_path()); error != 0) return fault(error);
-  }
+  if (const int error = sync_folder(file_.parent_path()); error != 0) return fault(error);
   return std::nullopt;
 }
 

@@ -89,5 +89,28 @@ TEST(Journal, ADiskThatTakesNothingIsToldOnceAndTriedAgain) {
   EXPECT_THAT(kinds(next.actions()), ::testing::ElementsAre("start", "action", "end"));
 }
 
+// More than memory is kept for: what is remembered of it is there when the disk takes it again.
+TEST(Journal, WhatADiskDidNotTakeForLongIsThereAsFarAsItIsRemembered) {
+  const testing::TemporaryDirectory parent;
+  const fs::path folder = parent.path() / "state";
+  constexpr int records = 25'000;
+  {
+    Journal journal(folder);
+    journal.begin([] { return std::vector<json>{}; }, [](const std::string&) {});
+    for (int k = 0; k < records; ++k)
+      journal.add({{"kind", "action"}, {"method", "n" + std::to_string(k)}});
+    wait_for([&] { return journal.fault().has_value() && journal.actions().size() > 1; });
+    journal.add({{"kind", "action"}, {"method", "last"}});
+    wait_for([&] { return journal.actions().back()["method"] == "last"; });
+    fs::create_directory(folder);
+    wait_for([&] { return !journal.fault().has_value(); });
+  }
+  const Journal next(folder);
+  const auto actions = next.actions();
+  ASSERT_EQ(actions.size(), JournalContents::actions_max);
+  EXPECT_EQ(actions[actions.size() - 2]["method"], "last");
+  EXPECT_EQ(actions[actions.size() - 3]["method"], "n" + std::to_string(records - 1));
+}
+
 }  // namespace
 }  // namespace stanok::daemon
