@@ -79,6 +79,20 @@ void protect_files_from_others() {
   if ((given & S_IWOTH) != 0) ::umask(given);
 }
 
+// Those who watch hear of alarms that no cycle raises while this lives.
+class Announcement {
+ public:
+  Announcement(MachineHistory& history, OperatorServer& server) : history_(history) {
+    history.announce_to([&server](const channels::Event& event) { server.on_event(event); });
+  }
+  ~Announcement() { history_.announce_to({}); }
+  Announcement(const Announcement&) = delete;
+  Announcement& operator=(const Announcement&) = delete;
+
+ private:
+  MachineHistory& history_;
+};
+
 // What cannot be recorded is told to operators while this lives.
 class TroubleOfRecording {
  public:
@@ -197,6 +211,7 @@ int run_daemon(const DaemonOptions& options) {
       {build_description(), state.path(), socket.path(),
        [&kept](KeepDone done) { kept.keep_tables(std::move(done)); }, &history.journal()},
       {.panel_user = panel_user(options.panel_user)});
+  const Announcement announcement(history, server);
 
   // First the stop: what is said may need memory.
   const auto fail = [&](std::string_view who, std::string_view name, std::string_view reason) {

@@ -63,7 +63,19 @@ void MachineHistory::tell(std::string_view code, const std::string& text) {
   alarm.at = unix_time_s();
   alarm.diagnostic.code = code;
   alarm.diagnostic.message = text;
+  channels::Event event;
+  event.cycle = machine_.cycles();
+  event.channel = alarm.channel;
+  event.code = FixedText<8>(code);
+  event.text = FixedText<240>(text);
   reports_.note(std::move(alarm));
+  const std::lock_guard lock(mutex_);
+  if (announce_) announce_(event);
+}
+
+void MachineHistory::announce_to(Announce announce) {
+  const std::lock_guard lock(mutex_);
+  announce_ = std::move(announce);
 }
 
 void MachineHistory::tell_not_kept(const std::string& what, const std::string& fault) {

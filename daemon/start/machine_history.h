@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,11 @@ class MachineHistory {
   [[nodiscard]] Journal& journal() { return journal_; }
   // From now on it is written, also what was found at the start.
   void begin();
+  // Who tells those who watch the machine of an alarm, as of what the cycle tells; nothing: nobody.
+  // Called from any thread, not behind the next call of this.
+  using Announce = std::function<void(const channels::Event& event)>;
+  void announce_to(Announce announce);
+
   // An alarm that no cycle raises; it stands in the first channel, as operators look at channels.
   // Any thread.
   void tell(std::string_view code, const std::string& text);
@@ -38,6 +44,8 @@ class MachineHistory {
 
   RunningMachine& machine_;
   channels::Machine& reports_;
+  std::mutex mutex_;
+  Announce announce_;
   MachineWatch watch_;
   Journal journal_;  // last: it looks through the watch until its end
 };

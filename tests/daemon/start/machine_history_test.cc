@@ -28,9 +28,13 @@ class MachineHistoryTest : public ::testing::Test {
 };
 
 TEST_F(MachineHistoryTest, WhatIsNotKeptIsAnAlarmUntilItIsAcknowledged) {
+  RawClient page(daemon.socket());
+  page.request(1, "subscribe", {{"topics", {"events"}}});
+  page.receive("id", 1);
   std::filesystem::remove_all(daemon.socket().parent_path() / "state");
   const json refused = ask("offset.set", {{"offset", "G54"}, {"axis", "X"}, {"value", 7.5}});
   EXPECT_EQ(refused["code"], "E9025");
+  EXPECT_EQ(page.receive("method", "event")["params"]["code"], "W940") << "a page hears of it";
   const json alarms = ask("alarm.list")["alarms"];
   ASSERT_FALSE(alarms.empty());  // of the tables, and of the positions when it is their time
   for (const json& alarm : alarms) {
