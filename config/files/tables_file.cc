@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "channels/contract/output.h"
 
@@ -77,27 +80,26 @@ const Keys<ToolEdge>& tool_keys() {
   return keys;
 }
 
+using EdgeOfTool = std::pair<int, int>;  // number, edge
+
 // What the row leaves out is as in `base`, else zero.
-ToolEdge edge_to_begin_with(const toml::table& row, const TablesConfig& base) {
-  const int number = row["number"].value_or(0);
-  const int edge = row["edge"].value_or(1);
-  const auto found = std::ranges::find_if(
-      base.tools, [&](const ToolEdge& tool) { return tool.number == number && tool.edge == edge; });
-  return found == base.tools.end() ? ToolEdge{} : *found;
+ToolEdge edge_to_begin_with(const toml::table& row, const std::map<EdgeOfTool, ToolEdge>& base) {
+  const auto found = base.find({row["number"].value_or(0), row["edge"].value_or(1)});
+  return found == base.end() ? ToolEdge{} : found->second;
 }
 
-std::vector<ToolEdge> read_tools(Subtables tools, const TablesConfig& base, FaultList& faults) {
+std::vector<ToolEdge> read_tools(Subtables tools, const TablesConfig& tables, FaultList& faults) {
   std::vector<ToolEdge> edges;
   if (tools == nullptr) return edges;
+  std::map<EdgeOfTool, ToolEdge> base;
+  for (const ToolEdge& tool : tables.tools) base.try_emplace({tool.number, tool.edge}, tool);
+  std::set<EdgeOfTool> seen;
   for (const toml::node& node : *tools) {
     const toml::table& table = *node.as_table();
     const Scope scope{faults, "tool " + std::to_string(table["number"].value_or(0))};
     ToolEdge edge = edge_to_begin_with(table, base);
     read_table(table, tool_keys(), edge, scope);
-    const bool is_known = std::ranges::any_of(edges, [&](const ToolEdge& other) {
-      return other.number == edge.number && other.edge == edge.edge;
-    });
-    if (is_known) {
+    if (!seen.emplace(edge.number, edge.edge).second) {
       scope.fault(place_of(table, "number"), "edge " + std::to_string(edge.edge) +
                                                  " of this tool stands twice; give each row its "
                                                  "own number or edge");

@@ -32,14 +32,19 @@ std::string read_beginning(std::istream& stream) {
 }  // namespace
 
 void FaultList::add(const toml::source_region& place, std::string text) {
-  faults_.push_back({.file = place.path ? *place.path : std::string(),
-                     .line = place.begin.line,
-                     .column = place.begin.column,
-                     .text = std::move(text)});
+  keep({.file = place.path ? *place.path : std::string(),
+        .line = place.begin.line,
+        .column = place.begin.column,
+        .text = std::move(text)});
 }
 
 void FaultList::add(const std::filesystem::path& file, std::string text) {
-  faults_.push_back({.file = file.string(), .text = std::move(text)});
+  keep({.file = file.string(), .text = std::move(text)});
+}
+
+void FaultList::keep(ConfigFault fault) {
+  ++found_;
+  if (faults_.size() < kept_max) faults_.push_back(std::move(fault));
 }
 
 void FaultList::throw_if_any() {

@@ -15,6 +15,9 @@ namespace stanok::config {
 
 class FaultList {
  public:
+  // More than anybody reads; a text of a megabyte can have 700,000.
+  static constexpr std::size_t kept_max = 1000;
+
   // Files are read from disk, or are those that are given.
   FaultList() = default;
   explicit FaultList(std::vector<SourceFile> given)
@@ -33,16 +36,20 @@ class FaultList {
   // A fault of a file as a whole.
   void add(const std::filesystem::path& file, std::string text);
 
-  [[nodiscard]] std::size_t size() const { return faults_.size(); }
-  // Throws ConfigError with all faults, file by file in the order of their places, each once;
-  // returns when there are none.
+  // How many were found, kept or not.
+  [[nodiscard]] std::size_t size() const { return found_; }
+  // Throws ConfigError with the faults that were found first (kept_max), file by file in the order
+  // of their places, each once; returns when there are none.
   void throw_if_any();
 
  private:
+  void keep(ConfigFault fault);
+
   std::vector<SourceFile> given_;
   bool reads_given_ = false;
   std::vector<SourceFile> sources_;
   std::vector<ConfigFault> faults_;
+  std::size_t found_ = 0;
 };
 
 // The text of a file; nothing, and a fault, when it cannot be read.

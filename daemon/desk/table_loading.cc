@@ -1,6 +1,7 @@
 #include "daemon/desk/table_loading.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -39,19 +40,20 @@ OperatorEvent event_of(const channels::OperatorCommand& command) {
   return event;
 }
 
+using Edges = std::map<std::pair<int, int>, const ToolEdge*>;  // by number and edge
+
 // An edge that no table names is there with zeros.
-json edge_now(const TablesConfig& tables, int number, int edge) {
-  const auto found = std::ranges::find_if(tables.tools, [&](const ToolEdge& tool) {
-    return tool.number == number && tool.edge == edge;
-  });
+json edge_now(const Edges& edges, int number, int edge) {
+  const auto found = edges.find({number, edge});
+  if (found != edges.end()) return tool_json(*found->second);
   ToolEdge plain;
   plain.number = number;
   plain.edge = edge;
-  return tool_json(found == tables.tools.end() ? plain : *found);
+  return tool_json(plain);
 }
 
 Expected<std::vector<OperatorEvent>, Failure> changes_of_tool(const ToolEdge& wanted,
-                                                              const TablesConfig& now) {
+                                                              const Edges& now) {
   const json before = edge_now(now, wanted.number, wanted.edge);
   const json after = tool_json(wanted);
   std::vector<OperatorEvent> commands;
@@ -163,8 +165,10 @@ Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& m
   if (auto refusal = change_of_reference_point(wanted, now))
     return Unexpected<Failure>(std::move(*refusal));
   std::vector<OperatorEvent> commands;
+  Edges edges;
+  for (const ToolEdge& tool : now.tools) edges.try_emplace({tool.number, tool.edge}, &tool);
   for (const ToolEdge& tool : wanted.tools) {
-    const auto changes = changes_of_tool(tool, now);
+    const auto changes = changes_of_tool(tool, edges);
     if (!changes) return changes;
     commands.insert(commands.end(), changes->begin(), changes->end());
   }

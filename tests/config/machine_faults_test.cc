@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "config/files/machine_file.h"
+#include "config/text/fault_list.h"
 #include "tests/config/temporary_files.h"
 
 namespace stanok::config {
@@ -426,6 +427,18 @@ TEST(MachineFaults, OfASchemeFileNameThatFile) {
   EXPECT_EQ(faults[2].column, 20U);
   EXPECT_THAT(faults[2].text,
               HasSubstr("pivot_to_spindle is a list; write a list of three numbers"));
+}
+
+// 20,000 tools without a number: the first faults are told, the others cost no memory.
+TEST(MachineFaults, AreKeptAsLongAsPeopleReadOn) {
+  std::string text = "tool = [";
+  for (int k = 0; k < 20'000; ++k) text += "{}, ";
+  const TemporaryFiles files;
+  files.write("tables.toml", text + "]\n");
+  const auto path = files.write("m.toml", with_line(2, "name = \"m\"\ntables = \"tables.toml\""));
+  const auto faults = faults_of_machine(path);
+  EXPECT_EQ(faults.size(), FaultList::kept_max);
+  EXPECT_THAT(faults[0].text, HasSubstr("key 'number' is missing"));
 }
 
 TEST(MachineFaults, OfTheTablesNameThatFile) {
