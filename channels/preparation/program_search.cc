@@ -39,7 +39,7 @@ lang::AxisSet axes_apart(const motion::Point& a, const motion::Point& b) {
   return apart;
 }
 
-Approach approach_to(const motion::Point& target, const motion::Point& start, int infeed,
+Approach approach_to(const motion::Point& target, const motion::Point& start, const WayOut& out,
                      double height) {
   Approach approach;
   motion::Point at = start;
@@ -48,17 +48,19 @@ Approach approach_to(const motion::Point& target, const motion::Point& start, in
     at = end;
     return end;
   };
-  if (infeed < 0) {
+  if (out.infeed < 0) {
     approach.lateral = leg(target);
     return approach;
   }
-  const double top = std::max({height, start[infeed], target[infeed]});
-  motion::Point above = start;
-  above[infeed] = top;
-  approach.lift = leg(above);
-  above = target;
-  above[infeed] = top;
-  approach.lateral = leg(above);
+  const double top = std::max({height, start[out.infeed], target[out.infeed]});
+  const auto above = [&](motion::Point point, const motion::Point& way) {
+    const double rise = top - point[out.infeed];
+    for (std::size_t k = 0; k < point.size(); ++k) point[k] += rise * way[k];
+    point[out.infeed] = top;
+    return point;
+  };
+  approach.lift = leg(above(start, out.at_start));
+  approach.lateral = leg(above(target, out.at_target));
   approach.plunge = leg(target);
   return approach;
 }

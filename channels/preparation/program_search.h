@@ -49,9 +49,16 @@ struct Approach {
   std::optional<motion::Point> plunge;   // at feed
 };
 
-// From `start` to `target`, along `infeed`, an axis whose positive direction leads away from the
-// workpiece (-1: there is none, the way is one move), and no deeper than `height` on the way.
+// Which way leads out of the workpiece, at both ends of an approach: with 1 along its infeed axis.
+struct WayOut {
+  int infeed = -1;  // an axis whose positive direction leads away from the workpiece; -1: none
+  motion::Point at_start{};
+  motion::Point at_target{};
+};
+
+// From `start` to `target`: out and in along `out`, in one move where that has no axis, and no
+// deeper than `height` on the way between.
 [[nodiscard]] Approach approach_to(const motion::Point& target, const motion::Point& start,
-                                   int infeed, double height);
+                                   const WayOut& out, double height);
 
 }  // namespace stanok::channels

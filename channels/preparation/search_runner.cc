@@ -30,6 +30,12 @@ double plunge_feed(const ProgramSearch& search) {
   return search.feed_mm_min > 0.0 ? search.feed_mm_min : cautious_mm_min;
 }
 
+motion::Point straight_out(int infeed) {
+  motion::Point way{};
+  if (infeed >= 0) way[infeed] = 1.0;
+  return way;
+}
+
 double distance(const motion::Point& from, const motion::Point& to,
                 const std::array<int, 3>& geometry) {
   double square = 0.0;
@@ -282,7 +288,45 @@ Approach SearchRunner::approach_to_target(const motion::Point& target) const {
       height = top.along(infeed, frame, geometry);
     }
   }
-  return approach_to(target, start, infeed, height.value_or(start[std::max(infeed, 0)]));
+  const double top = height.value_or(start[std::max(infeed, 0)]);
+  const WayOut straight{infeed, straight_out(infeed), straight_out(infeed)};
+  if (infeed < 0) return approach_to(target, start, straight, top);
+  const WayOut along_tool{infeed, out_along_tool(start, infeed), out_along_tool(target, infeed)};
+  const Approach approach = approach_to(target, start, along_tool, top);
+  const bool fits = is_within_travel(approach.lift) && is_within_travel(approach.lateral);
+  return fits ? approach : approach_to(target, start, straight, top);
+}
+
+// Where the channel leads the tip of a tool that turns: along the tool, unless it lies too flat to
+// come away from the workpiece that way.
+motion::Point SearchRunner::out_along_tool(const motion::Point& point_W, int infeed) const {
+  constexpr double flattest = 0.17;  // 80 deg from the infeed axis
+  const kinematics::Transform& transform = parts_.feed.blocks().transform();
+  const motion::Point straight = straight_out(infeed);
+  if (transform.mode != kinematics::PointMode::tip || transform.scheme == nullptr) return straight;
+  const auto point_B = kinematics::base_from_workpiece(transform.frame, point_W);
+  const auto tool_B = transform.scheme->spindle_axes(point_B)[2];
+  const Vector3<double> tool_W = transform.frame.rotation.turned_back(tool_B);
+  motion::Point way{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int axis = transform.frame.geometry[k];
+    if (axis >= 0) way[axis] = tool_W[k];
+  }
+  const double rise = way[infeed];
+  if (rise < flattest) return straight;
+  for (double& part : way) part /= rise;
+  return way;
+}
+
+bool SearchRunner::is_within_travel(const std::optional<motion::Point>& point_W) const {
+  if (!point_W) return true;
+  motion::Point axes_M{};
+  kinematics::inverse(parts_.feed.blocks().transform(), *point_W, axes_M);
+  for (int k = 0; k < parts_.motion.axis_count; ++k) {
+    const motion::AxisLimits& limits = parts_.motion.axes[k];
+    if (axes_M[k] < limits.position_min || axes_M[k] > limits.position_max) return false;
+  }
+  return true;
 }
 
 // Away from the workpiece first; up there the state; then over the target, and at feed to it. The

@@ -60,6 +60,8 @@ class SearchRunner {
   [[nodiscard]] std::optional<Diagnostic> obstacle_at_target() const;
   void note_motion(const lang::Command& command, const motion::Point& start_W);
   [[nodiscard]] Approach approach_to_target(const motion::Point& target) const;
+  [[nodiscard]] motion::Point out_along_tool(const motion::Point& point_W, int infeed) const;
+  [[nodiscard]] bool is_within_travel(const std::optional<motion::Point>& point_W) const;
   [[nodiscard]] SearchReport report(const motion::Point& target);
   void approach(const motion::Point& target);
   void enter_leg(const std::optional<motion::Point>& end, motion::Point& before,

@@ -1,5 +1,7 @@
 #include "channels/preparation/tap_trial.h"
 
+#include <cmath>
+
 #include "channels/axes/spindle_motion.h"
 #include "motion/threads/synchronous_run.h"
 
@@ -51,12 +53,18 @@ bool TapTrial::succeeds_at(double rev_per_min) const {
   return true;
 }
 
+// By halving: what goes at a speed goes at a lower one.
 double TapTrial::fastest_below(double rev_per_min) const {
-  constexpr double step = 0.95;
-  for (double speed = step * rev_per_min; speed >= 1.0; speed *= step) {
-    if (succeeds_at(speed)) return speed;
+  constexpr double near_enough = 1.02;
+  constexpr double slowest = 1.0;
+  if (rev_per_min <= slowest || !succeeds_at(slowest)) return 0.0;
+  double goes = slowest;
+  double fails = rev_per_min;
+  while (fails > near_enough * goes) {
+    const double between = std::sqrt(goes * fails);
+    (succeeds_at(between) ? goes : fails) = between;
   }
-  return 0.0;
+  return goes;
 }
 
 }  // namespace stanok::channels

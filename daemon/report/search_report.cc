@@ -1,5 +1,6 @@
 #include "daemon/report/search_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stanok::daemon {
@@ -70,6 +71,27 @@ bool stands_elsewhere(const channels::SearchReport& search, const channels::Chan
   return false;
 }
 
+bool shall_turn(lang::SpindleAction action) {
+  return action == lang::SpindleAction::clockwise ||
+         action == lang::SpindleAction::counter_clockwise;
+}
+
+// Whether the spindle (0: the master spindle) is asked for that already, at the speed of the search.
+bool turns_so(const channels::ProcessOutput& process, int spindle, lang::SpindleAction action,
+              const lang::SearchState& state) {
+  constexpr double same_speed = 1e-6;  // rev/min
+  const double sign = action == lang::SpindleAction::clockwise ? 1.0 : -1.0;
+  const auto speed = state.speeds.find(spindle);
+  const auto is_it = [&](double rev_per_min) {
+    const double now = sign * rev_per_min;
+    return now > 0.0 && (speed == state.speeds.end() || std::abs(now - speed->second) < same_speed);
+  };
+  if (spindle == 0) return is_it(process.spindle_rev_per_min);
+  return std::ranges::any_of(process.spindles, [&](const channels::SpindleSetpoint& setpoint) {
+    return setpoint.id == spindle && is_it(setpoint.target_rev_per_min);
+  });
+}
+
 std::string list_of(const std::vector<std::string>& texts) {
   std::string list;
   for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + text;
@@ -103,9 +125,7 @@ std::vector<std::string> changes_of_start(const channels::SearchReport& report,
     changes.push_back("tool " + std::to_string(state.tool) + " instead of " +
                       std::to_string(output.tool.number));
   for (const auto& [id, command] : state.spindles) {
-    const bool shall_turn = command.action == lang::SpindleAction::clockwise ||
-                            command.action == lang::SpindleAction::counter_clockwise;
-    if (shall_turn)
+    if (shall_turn(command.action) && !turns_so(output.process, id, command.action, state))
       changes.push_back(id == 0 ? "the spindle turning"
                                 : "spindle " + std::to_string(id) + " turning");
   }

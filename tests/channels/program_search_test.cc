@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 #include <sstream>
 
@@ -216,6 +219,63 @@ TEST_F(ProgramSearchTest, WithoutAWayBeforeTheToolGoesToTheTop) {
   const auto report = bench.machine().search(1);
   ASSERT_FALSE(report->approach.empty());
   EXPECT_EQ(report->approach[0].end[2], testing::two_channel_machine().axes[2].limits.position_max);
+}
+
+// The tip led by head and table: out of the workpiece and into it along the tool.
+TEST_F(ProgramSearchTest, ATurnedToolComesDownAlongItself) {
+  bench.program("k.nc", "#kinematics (2, 1)\nG0 X0 Y0 Z250 B0 C0\nM30\n");
+  bench.run(1, "k.nc");
+  bench.run_to_end();
+  load("G21 G90 G54\nG43.4 H0\nG0 X0 Y0 Z50 B30 C20\nG1 X10 Y5 Z0 F1200\nN50 X20\nM0\nM30\n");
+  ASSERT_EQ(search("N50"), "");
+  const double b = std::numbers::pi / 6.0;
+  const double c = std::numbers::pi / 9.0;
+  // The tool seen from the table: Rz(C)^T Ry(B) z.
+  const std::array<double, 3> tool{std::sin(b) * std::cos(c), -std::sin(b) * std::sin(c),
+                                   std::cos(b)};
+  const auto report = bench.machine().search(1);
+  ASSERT_TRUE(report);
+  ASSERT_EQ(report->approach.size(), 2U);
+  const double rise = 50.0 / tool[2];
+  EXPECT_THAT(report->approach[0].end,
+              Pointwise(DoubleNear(1e-9), {10.0 + rise * tool[0], 5.0 + rise * tool[1], 50.0, 30.0,
+                                           20.0}));
+  EXPECT_NEAR(report->approach[1].length_mm, rise, 1e-9);
+  double off = 0.0;
+  int cycles = 0;
+  start([&](const CycleOutput& output) {
+    const auto& axes = output.channels[0].axes;
+    const double x = axes[0].position - 200.0 * std::sin(b);
+    const double y = axes[1].position;
+    const std::array<double, 3> from_target{std::cos(c) * x + std::sin(c) * y - 10.0,
+                                            -std::sin(c) * x + std::cos(c) * y - 5.0,
+                                            axes[2].position - 200.0 * std::cos(b)};
+    const bool plunges = output.channels[0].tag.line == 5 && from_target[2] > 1e-6 &&
+                         from_target[2] < 50.0 - 1e-6 && axes[3].position == 30.0;
+    if (!plunges || axes[2].velocity >= 0.0) return;
+    ++cycles;
+    for (std::size_t k = 0; k < 3; ++k)
+      off = std::max(off, std::abs(from_target[k] - from_target[2] / tool[2] * tool[k]));
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_GT(cycles, 1000) << "57.7 mm at F1200";
+  EXPECT_LT(off, 1e-9);
+}
+
+// A tool that lies flat, and one whose way out would leave the travel, come straight down.
+TEST_F(ProgramSearchTest, AFlatToolComesStraightDown) {
+  bench.program("k.nc", "#kinematics (2, 1)\nG0 X0 Y0 Z250 B0 C0\nM30\n");
+  bench.run(1, "k.nc");
+  bench.run_to_end();
+  for (const char* pose : {"X0 Y0 B85", "X290 Y0 B75"}) {
+    load("G21 G90 G54\nG43.4 H0\nG0 " + std::string(pose) +
+         " Z50 C0\nG1 Z0 F1200\nN50 Y5\nM30\n");
+    ASSERT_EQ(search("N50"), "") << pose;
+    const auto report = bench.machine().search(1);
+    ASSERT_TRUE(report);
+    ASSERT_EQ(report->approach.size(), 2U) << pose;
+    EXPECT_NEAR(report->approach[1].length_mm, 50.0, 1e-9) << pose;
+  }
 }
 
 // Between search and start the operator jogs, enters lines, measures.
