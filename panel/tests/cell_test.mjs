@@ -35,10 +35,10 @@ test('what ran is in the history, of this machine and not of the other one', asy
   await stage.client.call('program.run', { program: 'part.nc', channel: 1, wait: 'done' });
   const history = page.getByRole('region', { name: 'History' });
   await until('the run is there', async () => {
-    await history.getByRole('button', { name: 'Read again' }).click();
+    await history.getByRole('button', { name: 'Refresh' }).click();
     return (await history.getByRole('cell', { name: 'part.nc' }).count()) === 1;
   });
-  await history.getByRole('button', { name: 'Use' }).click();
+  await history.getByRole('button', { name: 'Utilization' }).click();
   await history.getByRole('columnheader', { name: 'OEE, %' }).waitFor();
   const cells = history.getByRole('row').nth(1).getByRole('cell');
   assert.deepEqual(
@@ -48,7 +48,7 @@ test('what ran is in the history, of this machine and not of the other one', asy
   if (process.env.STANOK_WRITE_DOCS === '1')
     await page.screenshot({ path: join(root, 'docs/operator/pictures/panel-cell.png') });
   await history.getByRole('button', { name: 'Alarms' }).click();
-  await history.getByText('There is nothing in this time').waitFor();
+  await history.getByText('Nothing in this period').waitFor();
 });
 
 test('a run that an override of 0 % holds stands, and says why', async () => {

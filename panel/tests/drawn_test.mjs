@@ -146,7 +146,7 @@ async function drawnOn(page, { begin, count }) {
     const [first] = await page.evaluate(() => window.drawnLines());
     return first !== undefined && far(first, begin) < 1e-3;
   });
-  await page.getByRole('button', { name: 'Slanted' }).click();
+  await page.getByRole('button', { name: 'Isometric' }).click();
   const box = await canvas.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   const standing = async () => {
@@ -298,7 +298,7 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
       return Math.abs(on.direction[2] - Math.cos((20 * Math.PI) / 180)) < 1e-5;
     });
     assert.ok(far(await from(), seen) < 1e-6, 'the part stands');
-    const button = page.getByRole('button', { name: 'Machine stands' });
+    const button = page.getByRole('button', { name: 'Show machine' });
     await button.click();
     await until('another picture', async () => far(await from(), seen) > 1e-3);
     const turned = await from();
@@ -314,7 +314,7 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
   });
   test('in colours by feed and by tool, which is remembered', async () => {
     const { page } = here;
-    const colours = page.getByLabel('Colours of the path');
+    const colours = page.getByLabel('Colors of the path');
     const legend = page.locator('.legend');
     await colours.selectOption('By feed');
     await legend.getByText('F 3000 mm/min').waitFor();
@@ -332,7 +332,7 @@ situations('on a mill with a trunnion table', 'trunnion.toml', (here) => {
     const { page } = here;
     const canvas = page.locator('canvas');
     const from = () => seenFrom(page);
-    await page.getByRole('button', { name: 'Slanted' }).click();
+    await page.getByRole('button', { name: 'Isometric' }).click();
     const usual = await from();
     const { x, y, width, height } = await canvas.boundingBox();
     await page.mouse.move(x + width / 2, y + height / 2);
@@ -411,17 +411,17 @@ situations('while a mill works on tilted planes', 'trunnion.toml', (here) => {
     if (process.env.STANOK_WRITE_DOCS === '1') {
       await stage.client.call('program.hold', { channel: 1 });
       const before = await page.evaluate(() => window.drawnFrom());
-      await page.getByRole('button', { name: 'Machine stands' }).click();
+      await page.getByRole('button', { name: 'Show machine' }).click();
       await until(
         'the machine to stand',
         async () => far(await page.evaluate(() => window.drawnFrom()), before) > 0.1,
       );
-      await page.getByRole('button', { name: 'Slanted' }).click();
+      await page.getByRole('button', { name: 'Isometric' }).click();
       await until('a picture of it', async () =>
         page.locator('canvas').evaluate(({ dataset }) => dataset.how === 'standing'),
       );
       await page.screenshot({ path: join(root, 'docs/programmer/pictures/panel-planes.png') });
-      await page.getByRole('button', { name: 'Machine stands' }).click();
+      await page.getByRole('button', { name: 'Show machine' }).click();
       await stage.client.call('program.resume', { channel: 1 });
     }
     await until('the end of the program', async () => !(await stage.status()).line);

@@ -44,12 +44,12 @@ test('the master program is run from the page, after a question', async () => {
   await page.getByRole('button', { name: 'Yes' }).click();
   await mark(page, '2 master', 'waiting').waitFor();
   await mark(page, '1 work', 'running').waitFor();
-  await card(page, '2 master').getByText('waits for the end of the run on').waitFor();
+  await card(page, '2 master').getByText('waits for the end of the program on').waitFor();
   await card(page, '2 master').getByText('→ 1 work').waitFor();
 });
 
 test('single block, optional stop and block skip show what the daemon has', async () => {
-  await page.getByText('Begin in the middle').click();
+  await page.getByText('Start from line, single block').click();
   for (const [name, member] of [
     ['Single block', 'single_block'],
     ['Optional stop (M1)', 'optional_stop'],
@@ -176,7 +176,7 @@ test('STOP ALL takes the power, and says in words what it is not', async () => {
 
 test('its alarm has the words of the button, and one press resets all channels', async () => {
   await page
-    .getByText('stopped by an operator (STOP ALL): by software, not the E-stop')
+    .getByText('stopped by an operator (STOP ALL): a software stop, not the E-stop')
     .first()
     .waitFor();
   await page.getByRole('link', { name: 'Machine', exact: true }).click();

@@ -192,7 +192,7 @@ test('a step is a step', async () => {
   await page.getByRole('button', { name: 'move X +' }).click();
   await until('a tenth', async () => Math.abs((await at()) - from - 0.1) < 1e-6);
   await rests();
-  await page.getByRole('button', { name: 'while pressed' }).click();
+  await page.getByRole('button', { name: 'continuous' }).click();
 });
 
 test('in the directions of the workpiece the axes go as its rotation has them', async () => {
@@ -207,7 +207,7 @@ test('in the directions of the workpiece the axes go as its rotation has them', 
   assert.ok(Math.abs((await rests()) - x) < 1e-6);
   await stage.client.call('mdi', { text: 'G69', channel: 1, wait: 'done' });
   await choose('Directions', 'machine axes');
-  await choose('Distance', 'while pressed');
+  await choose('Distance', 'continuous');
 });
 
 test('Escape stops a long step, too', async () => {
@@ -222,7 +222,7 @@ test('Escape stops a long step, too', async () => {
   const end = await rests();
   assert.ok(Math.abs(end - from) < 9, `it went ${Math.abs(end - from)} mm of 10`);
   await page.getByRole('button', { name: 'Arm' }).click();
-  await choose('Distance', 'while pressed');
+  await choose('Distance', 'continuous');
   await choose('Speed', '10');
 });
 

@@ -52,19 +52,19 @@ test('a turned part lies as turners expect, and its path is drawn', async () => 
 
 test('the force is controlled, and seen', async () => {
   await show('process');
-  const force = page.getByRole('region', { name: 'Control of the cutting force' });
+  const force = page.getByRole('region', { name: 'Cutting force control' });
   await force.getByText('off', { exact: true }).waitFor();
   await stage.client.call('program.run', { program: 'adaptive_steps.nc' });
-  await force.getByText('controls the force').waitFor({ timeout: 120_000 });
+  await force.getByText('controlling').waitFor({ timeout: 120_000 });
   const samples = () =>
-    page.locator('[aria-label="The last minute"] canvas').getAttribute('data-samples');
+    page.locator('[aria-label="Last minute"] canvas').getAttribute('data-samples');
   await until('readings', async () => Number(await samples()) > 20);
   assert.deepEqual(await findings(), []);
   await picture('process');
 });
 
 test('its force is set from the page', async () => {
-  const force = page.getByRole('region', { name: 'Control of the cutting force' });
+  const force = page.getByRole('region', { name: 'Cutting force control' });
   const now = (await process()).adaptive.force_set_n;
   await force.getByLabel('Value').fill(String(Math.round(now * 0.8)));
   await force.getByRole('button', { name: 'Set' }).click();
@@ -76,9 +76,9 @@ test('the feed is interrupted, and no more', async () => {
   const feed = page.getByRole('region', { name: 'Feed' });
   await feed.getByLabel('cut L_B, mm').fill('5');
   await feed.getByRole('button', { name: 'Interrupt' }).click();
-  await feed.getByText(/rests for 2.00 mm after each 5.00 mm/).waitFor();
+  await feed.getByText(/pauses for 2.00 mm after each 5.00 mm/).waitFor();
   assert.deepEqual(await findings(), []);
-  await feed.getByRole('button', { name: 'No more' }).click();
+  await feed.getByRole('button', { name: 'Stop interrupting' }).click();
   await until('the end of it', async () => (await process()).interruption === null);
 });
 
@@ -87,7 +87,7 @@ test('a grinding cycle is designed, another one verified, with their plots', asy
   const grinding = page.getByRole('region', { name: 'Plunge grinding cycle' });
   await grinding.getByLabel('Process file').selectOption('plunge_grinding.toml');
   await grinding.getByRole('button', { name: 'Calculate' }).click();
-  await grinding.getByText('keeps its limits').waitFor();
+  await grinding.getByText('within its limits').waitFor();
   await grinding.getByRole('row', { name: /this one 15\.44/ }).waitFor();
   await grinding.getByRole('row', { name: /lower bound 13\.59/ }).waitFor();
   const samples = await grinding.locator('canvas').first().getAttribute('data-samples');
@@ -114,13 +114,13 @@ test('stability lobes are drawn, and a planned cut is judged', async () => {
   await show('process');
   await calculations().getByRole('button', { name: 'Stability of a cut' }).click();
   const lobes = page.getByRole('region', { name: 'Stability of a cut' });
-  await lobes.getByLabel('Cut and vibrations').selectOption('bar.toml');
+  await lobes.getByLabel('Cut and vibration data').selectOption('bar.toml');
   await lobes.getByLabel('from, rev/min').fill('2000');
   await lobes.getByLabel('to, rev/min', { exact: true }).fill('12000');
   await lobes.getByLabel('planned, rev/min').fill('5300');
   await lobes.getByLabel('planned, mm').fill(String(2 * always_mm));
   await lobes.getByRole('button', { name: 'Calculate' }).click();
-  const text = await lobes.getByText(/Stable at every speed of the range up to/).innerText();
+  const text = await lobes.getByText(/Stable up to .* at every speed/).innerText();
   const told = Number(/up to ([\d.]+) mm/.exec(text)?.[1]);
   assert.ok(Math.abs(told / always_mm - 1) < 1e-3, text);
   await lobes.getByText(/5300 rev\/min, .* chatters/).waitFor();
@@ -147,11 +147,11 @@ test('a calculation that takes long is ended', async () => {
   );
   const head = 'kind = "milling"\nforce = 800.0\nradial_ratio = 0.2\nteeth = 3\n';
   writeFileSync(join(stage.programs, 'bar.toml'), head + modes.join(''));
-  await lobes.getByLabel('Method').selectOption('each tooth, for small widths');
+  await lobes.getByLabel('Method').selectOption('each tooth, for small widths of cut');
   await lobes.getByLabel('from, rev/min').fill('50');
   await lobes.getByRole('button', { name: 'Calculate' }).click();
-  await lobes.getByRole('button', { name: 'End it' }).click();
-  await lobes.getByText('is being calculated').waitFor({ state: 'detached' });
+  await lobes.getByRole('button', { name: 'Cancel' }).click();
+  await lobes.getByText('calculating').waitFor({ state: 'detached' });
   assert.equal(await lobes.locator('canvas').count(), 0);
 });
 
@@ -169,8 +169,8 @@ test('figures of a cut are found in its log', async () => {
   execFileSync(join(bin, 'stanok'), words, { stdio: ['ignore', 'ignore', 'inherit'] });
   await show('machine');
   await show('process');
-  await calculations().getByRole('button', { name: 'Figures from a log' }).click();
-  const figures = page.getByRole('region', { name: 'Figures from a log' });
+  await calculations().getByRole('button', { name: 'Identify from a log' }).click();
+  const figures = page.getByRole('region', { name: 'Identify from a log' });
   await figures.getByLabel('Log', { exact: true }).selectOption('cut.lcm');
   await figures.getByLabel('Bar before the cut').fill('0:32,-20:33,-40:32');
   await figures.getByLabel('C of the material').fill('1600');
@@ -193,11 +193,11 @@ test('feeds are planned that keep a force, and put among the programs', async ()
   await calculations().getByRole('button', { name: 'Forces along a program' }).click();
   const forces = page.getByRole('region', { name: 'Forces along a program' });
   await forces.getByLabel('Program', { exact: true }).selectOption('adaptive_steps.nc');
-  await forces.getByLabel('force to keep, N').fill('1200');
+  await forces.getByLabel('set force, N').fill('1200');
   await forces.getByLabel('feed at least').fill('0.05');
-  await forces.getByLabel('feed at most').fill('0.6');
+  await forces.getByLabel('maximum feed').fill('0.6');
   await forces.getByRole('button', { name: 'Calculate' }).click();
-  const row = forces.getByRole('row', { name: /force at most, N/ });
+  const row = forces.getByRole('row', { name: /maximum force, N/ });
   await row.waitFor({ timeout: 120_000 });
   const [before, after] = (await row.getByRole('cell').allInnerTexts()).map(Number);
   assert.ok(Math.abs(before - 1600 * 3 * 0.25 ** 0.75) < 0.1, before);
@@ -205,7 +205,7 @@ test('feeds are planned that keep a force, and put among the programs', async ()
   assert.deepEqual(await findings(), []);
   await forces.scrollIntoViewIfNeeded();
   await picture('forces');
-  await forces.getByRole('button', { name: 'To the programs' }).click();
+  await forces.getByRole('button', { name: 'Save to programs' }).click();
   await forces.getByRole('link', { name: 'adaptive_steps_planned.nc' }).waitFor();
   const text = readFileSync(join(stage.programs, 'adaptive_steps_planned.nc'), 'utf8');
   assert.match(text, /^\/\/ #adaptive/m);

@@ -136,7 +136,7 @@ test('the part is seen while it is cut, in the colours of its tools', async () =
 test('it can be cut open and put away', async () => {
   const canvas = page.locator('canvas');
   await page.getByLabel('Section').selectOption('X');
-  await page.getByLabel('Where the section is').fill('0.4');
+  await page.getByLabel('Position of the section').fill('0.4');
   assert.deepEqual(await findings(), []);
   await picture('part');
   await page.getByRole('button', { name: 'Part' }).click();
@@ -150,7 +150,7 @@ test('the part of another program does not stand under the path of this one', as
   await page.getByText('The part that plate.nc left in its last run').waitFor();
   writeFileSync(join(stage.programs, 'other.nc'), 'G21 G90\nG1 X5 F600\nM30\n');
   await stage.client.call('program.load', { program: 'other.nc', channel: 1 });
-  await page.getByText('Put away: the part of plate.nc; another program is loaded.').waitFor();
+  await page.getByText('Hidden: the part of plate.nc; another program is loaded.').waitFor();
   const button = page.getByRole('button', { name: 'Part' });
   assert.equal(await button.getAttribute('aria-pressed'), 'false');
   assert.deepEqual(await findings(), []);
@@ -213,19 +213,19 @@ test('its colours say so, with a scale in mm', async () => {
   const canvas = page.locator('canvas');
   const triangles = async () => Number(await canvas.getAttribute('data-triangles'));
   await until('the part', async () => (await triangles()) === trianglesOfPart, 60);
-  await page.getByLabel('Colours of the part').selectOption('Off blank.stl');
+  await page.getByLabel('Colors of the part').selectOption('Deviation from blank.stl');
   await page.getByLabel('Scale of deviations').selectOption('± 2 mm');
   const scale = page.getByRole('list', { name: 'Deviation, mm' });
-  await scale.getByText('below −1.429 mm: too much cut').waitFor();
+  await scale.getByText('below −1.429 mm: overcut').waitFor();
   await scale.getByText('−0.286 to 0.286').waitFor();
   await until('the whole part', async () => (await triangles()) === trianglesOfPart, 60);
   assert.deepEqual(await findings(), []);
   await picture('deviation');
   writeFileSync(join(stage.programs, 'blank.stl'), 'M30\n');
-  await page.getByLabel('Colours of the part').selectOption('By tool');
-  await page.getByLabel('Colours of the part').selectOption('Off blank.stl');
+  await page.getByLabel('Colors of the part').selectOption('By tool');
+  await page.getByLabel('Colors of the part').selectOption('Deviation from blank.stl');
   await page.getByText(/blank.stl: .*no STL file/).waitFor();
-  await page.getByLabel('Colours of the part').selectOption('By tool');
+  await page.getByLabel('Colors of the part').selectOption('By tool');
   await until('the part', async () => (await triangles()) > 0);
 });
 
@@ -258,16 +258,16 @@ test('a log is verified and played, forward and backward', async () => {
   await page.getByRole('button', { name: 'Backward' }).click();
   const from = await at();
   await until('it goes back', async () => (await at()) < from - 0.2);
-  await page.getByRole('button', { name: 'Stand' }).click();
+  await page.getByRole('button', { name: 'Pause' }).click();
   assert.deepEqual(await findings(), []);
   await picture('playback');
-  await page.getByRole('button', { name: 'Back to now' }).click();
+  await page.getByRole('button', { name: 'Back to live' }).click();
   await time.waitFor({ state: 'detached' });
 });
 
 test('the scope records every cycle from its start', async () => {
   await show('scope');
-  await page.getByText('There is no recording').waitFor();
+  await page.getByText('No recording').waitFor();
   assert.deepEqual(await findings(), []);
   await page.getByLabel('Length').selectOption('0.5 s');
   await page.getByRole('button', { name: 'Record' }).click();
@@ -277,11 +277,11 @@ test('the scope records every cycle from its start', async () => {
 });
 
 test('a block is a trigger; what was before it is there, too', async () => {
-  await page.getByLabel('Begins').selectOption('at a block');
+  await page.getByLabel('Trigger').selectOption('at a block');
   await page.getByLabel('Line, channel 1').fill('7');
   await page.getByLabel('Length').selectOption('2 s');
   await page.getByRole('button', { name: 'Record' }).click();
-  await page.getByText('waits for its trigger').waitFor();
+  await page.getByText('waiting for the trigger').waitFor();
   await run();
   await page.getByText('complete').waitFor({ timeout: 60_000 });
   const reading = await stage.client.call('scope.read', { from: 1_000_000 });
@@ -332,7 +332,7 @@ test('programs of the queue begin one after the other, and none behind a reset',
   for (const [k, name] of ['short.nc', 'short.nc', 'long.nc', 'short.nc'].entries()) {
     await page.evaluate((of) => (location.hash = `#/programs/${of}`), name);
     await page.getByRole('heading', { name }).waitFor();
-    await page.getByRole('button', { name: 'To the queue' }).click();
+    await page.getByRole('button', { name: 'Add to queue' }).click();
     await until('it is in the queue', async () => (await waiting()) === k + 1);
     // A button that waits for its answer does not hear.
     await page.locator('[aria-busy=true]').waitFor({ state: 'detached' });
@@ -340,7 +340,7 @@ test('programs of the queue begin one after the other, and none behind a reset',
   assert.ok(!(await stage.status()).queue.started);
   await queue.getByRole('button', { name: 'Start the queue' }).click();
   await queue.getByRole('button', { name: 'Yes' }).click();
-  await queue.getByText('under way').waitFor();
+  await queue.getByText('running').waitFor();
   const status = () => stage.status();
   await until('the third one', async () => (await status()).program === 'long.nc', 60);
   await until('two that wait', async () => (await waiting()) === 2);
@@ -351,7 +351,7 @@ test('programs of the queue begin one after the other, and none behind a reset',
   await queue.getByText('Stopped:').waitFor();
   await until('it is over', isOver);
   assert.equal(await waiting(), 2);
-  await queue.getByRole('button', { name: 'long.nc: out of the queue' }).click();
+  await queue.getByRole('button', { name: 'long.nc: remove from the queue' }).click();
   await until('one that waits', async () => (await waiting()) === 1);
   assert.ok(!(await status()).queue.started);
 });

@@ -90,7 +90,7 @@ test('a value that was written in another situation is not taken', async () => {
 
 test('each number of the display tells where it comes from', async () => {
   await show('machine');
-  await page.getByText('Where do these numbers come from?').click();
+  await page.getByText('How are these numbers made up?').click();
   const origin = page.locator('[data-origin=X]');
   await origin.getByText('Machine position X', { exact: true }).waitFor();
   await origin.getByText('Diameter G7 *', { exact: true }).waitFor();
@@ -105,12 +105,14 @@ test('each number of the display tells where it comes from', async () => {
     assert.match(await rows.last().innerText(), new RegExp(`${shown.toFixed(3)}\\s*$`));
   }
   assert.deepEqual(await findings(page), []);
-  await page.getByText('Where do these numbers come from?').click();
+  await page.getByText('How are these numbers made up?').click();
 });
 
 test('a line that was written in another situation is not done', async () => {
   const line = page.getByPlaceholder('G0 Z50');
-  const press = page.getByLabel('Line by hand').getByRole('button', { name: 'Run', exact: true });
+  const press = page
+    .getByRole('region', { name: 'MDI', exact: true })
+    .getByRole('button', { name: 'Run', exact: true });
   const { position } = await stage.status();
   await line.fill('G91 G0 Z1');
   await mdi('G18');
@@ -131,8 +133,8 @@ test('a line that was written in another situation is not done', async () => {
 test('a block search tells words, diameters with their mark', async () => {
   writeFileSync(join(stage.programs, 'words.nc'), 'G7 G0 X60 Z200\nN20 G0 X80\nN30 Z210\nM30\n');
   await stage.client.call('program.load', { program: 'words.nc', channel: 1 });
-  await page.getByText('Begin in the middle, single block, skip').click();
-  await page.getByLabel('Begin at line, N number, or file:line').fill('N30');
+  await page.getByText('Start from line, single block, block skip').click();
+  await page.getByLabel('Start from line, N number, or file:line').fill('N30');
   await page.getByRole('button', { name: 'Search', exact: true }).click();
   await page.getByText(/X Ø 80\.000 mm/).waitFor();
 });
@@ -170,7 +172,7 @@ async function shown() {
   const work = (word) => page.locator(`[data-axis=${word}] .work`).innerText();
   return {
     place: await card.locator('.line').innerText(),
-    codes: await page.getByLabel('Codes in force').locator('li').allInnerTexts(),
+    codes: await page.getByLabel('Active codes').locator('li').allInnerTexts(),
     tool: await value('T'),
     speed: await value('S'),
     X: await work('X'),

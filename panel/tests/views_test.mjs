@@ -167,7 +167,7 @@ describe('states', () => {
       return refused.isVisible();
     });
     assert.ok(!sent.includes('machine.on'));
-    await page.getByText('Your role may not jog.').waitFor();
+    await page.getByText('Your role does not permit jogging.').waitFor();
     for (const view of views) {
       await show(page, view);
       assert.deepEqual(await findings(page), [], view);
@@ -198,11 +198,11 @@ describe('states', () => {
     const page = await stage.openMachine({ before: through(note) });
     const card = page.getByRole('article', { name: '1 work' });
     const says = card.locator('[data-start]');
-    await says.getByText('Start begins square_and_circle.nc at the top.').waitFor();
-    await page.getByText('Begin in the middle').click();
-    const field = page.getByLabel(/Begin at line/);
+    await says.getByText('Start runs square_and_circle.nc from the beginning.').waitFor();
+    await page.getByText('Start from line, single block').click();
+    const field = page.getByLabel(/Start from line,/);
     await field.fill('15');
-    await says.getByText('Start does nothing: “15” has not been searched.').waitFor();
+    await says.getByText('Start is not possible: “15” has not been searched for.').waitFor();
     await card.getByRole('button', { name: 'Start', exact: true }).click();
     await page.getByRole('alert').getByText('has not been searched').waitFor();
     assert.ok(!sent.includes('program.start'));
@@ -212,7 +212,7 @@ describe('states', () => {
     assert.equal(await field.inputValue(), '');
     await page.getByRole('button', { name: '1 work' }).click();
     await field.press('Enter');
-    await says.getByText('Start begins at square_and_circle.nc:15.').waitFor();
+    await says.getByText('Start runs from square_and_circle.nc:15.').waitFor();
     assert.equal((await stage.status()).begins_at, 'square_and_circle.nc:15');
     // Forgotten by the daemon, it is a place that was not searched.
     await stage.client.call('program.load', { program: 'square_and_circle.nc' });
@@ -231,14 +231,14 @@ describe('states', () => {
     await stage.client.call('program.load', { program: 'square_and_circle.nc' });
     const page = await stage.openMachine();
     const card = page.getByRole('article', { name: '1 work' });
-    await page.getByText('Begin in the middle').click();
-    const field = page.getByLabel(/Begin at line/);
+    await page.getByText('Start from line, single block').click();
+    const field = page.getByLabel(/Start from line,/);
     await field.fill('15');
     await field.press('Enter');
     await page.getByText('Approach', { exact: true }).waitFor();
     assert.deepEqual(await findings(page), []);
     await card.getByRole('button', { name: 'Start', exact: true }).click();
-    await card.getByText(/Begin at square_and_circle.nc:15\? Approach: .* mm/).waitFor();
+    await card.getByText(/Start at square_and_circle.nc:15\? Approach: .* mm/).waitFor();
     assert.equal((await stage.status()).program_status, 'Stopped');
     await card.getByRole('button', { name: 'Yes' }).click();
     await until('it has begun', async () => (await stage.status()).begins_at === null);
@@ -279,8 +279,8 @@ describe('states', () => {
     };
     const page = await stage.openMachine({ before: through(empty) });
     const said = {
-      programs: 'There is no program',
-      tools: 'No such tool',
+      programs: 'No programs',
+      tools: 'No tool found',
       drives: 'has no drives',
     };
     for (const [view, words] of Object.entries({ ...said, history: 'No program has run yet' })) {
@@ -425,7 +425,7 @@ describe('users', () => {
     await page.getByRole('button', { name: 'operator · operator' }).waitFor();
     await page.getByRole('button', { name: 'Take control' }).first().click();
     await page.getByRole('button', { name: 'Yes' }).click();
-    await page.getByRole('button', { name: 'Give control back' }).waitFor();
+    await page.getByRole('button', { name: 'Release control' }).waitFor();
     const other = await stage.openMachine();
     await other.getByText('controlled by operator', { exact: true }).waitFor();
     await other.getByRole('button', { name: 'Start', exact: true }).first().click();
@@ -467,7 +467,7 @@ describe('programs', () => {
     for (let i = 0; i < ' Q5 F100'.length; ++i) await page.keyboard.press('Backspace');
     await page.keyboard.type(' F100');
     await page.getByRole('button', { name: 'Check' }).click();
-    await page.getByText('no error found').waitFor();
+    await page.getByText('no errors').waitFor();
     await page.getByRole('button', { name: 'Save' }).click();
     const saved = async () =>
       (await stage.client.call('program.read', { program: 'wrong.nc' })).text;
@@ -495,15 +495,15 @@ describe('programs', () => {
     await offered.getByText('G43.4').waitFor();
     assert.deepEqual(await findings(page), []);
     await page.keyboard.press('Enter');
-    await page.getByRole('button', { name: 'Take back' }).click();
+    await page.getByRole('button', { name: 'Revert' }).click();
     await page.getByRole('button', { name: 'Yes' }).click();
     await page.context().close();
   });
 
   test('the time that a program takes is told before it runs', async () => {
     const page = await open('square_and_circle.nc');
-    await page.getByRole('button', { name: 'Time it takes' }).click();
-    await page.getByText(/takes \d+:\d\d, \d+ mm of path/).waitFor();
+    await page.getByRole('button', { name: 'Estimate time' }).click();
+    await page.getByText(/takes \d+:\d\d, path \d+ mm/).waitFor();
     assert.deepEqual(await findings(page), []);
     assert.equal((await stage.status()).state, 'Reset');
     await page.context().close();
@@ -537,7 +537,7 @@ describe('what is not saved', () => {
     await page.evaluate((of) => (location.hash = `#/programs/${of}`), name);
     await text.getByText('G4 P7').waitFor();
     await page.getByRole('heading', { name: /changed/ }).waitFor();
-    await page.getByRole('button', { name: 'Take back' }).click();
+    await page.getByRole('button', { name: 'Revert' }).click();
     await page.getByRole('button', { name: 'Yes' }).click();
     await text.getByText('G4 P7').waitFor({ state: 'detached' });
     await page.context().close();
@@ -600,7 +600,7 @@ describe('the manual', () => {
   test('a page of it that is not there says so', async () => {
     const page = await stage.openMachine();
     await page.evaluate(() => (location.hash = '#/help/manual%2Fno%2Fsuch.md'));
-    await page.getByText('This page of the manual is not here').waitFor();
+    await page.getByText('This page of the manual is not available').waitFor();
     assert.deepEqual(await findings(page), []);
     // The browser writes it on the console, too.
     await until('it was told', () => stage.faults.length > 0);
@@ -769,7 +769,7 @@ describe('path', () => {
     await pressWhileItOpens(page, context);
     await page.getByRole('button', { name: 'Front' }).click();
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
-    await page.getByText(/This part comes from line \d+/).waitFor();
+    await page.getByText(/This part of the path comes from line \d+/).waitFor();
     await page.context().close();
   });
 });
@@ -782,10 +782,10 @@ test('the planned path of the daemon is drawn, and a line of it shown', async ()
   await until('points', async () => Number(await canvas.getAttribute('data-points')) > 10);
   const { points } = await stage.client.call('program.path', { channel: 1, page: 0 });
   await page.locator(`canvas[data-points="${points}"]`).waitFor();
-  await page.getByText('This part comes from line 15').waitFor();
+  await page.getByText('This part of the path comes from line 15').waitFor();
   await page.getByRole('button', { name: 'Limits' }).click();
   await page.getByRole('button', { name: 'Measure' }).click();
-  await page.getByText('Press two points of the path.').waitFor();
+  await page.getByText('Press two points on the path.').waitFor();
   await page.getByRole('button', { name: 'Top', exact: true }).click();
   const box = await canvas.boundingBox();
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -801,7 +801,7 @@ test('the planned path of the daemon is drawn, and a line of it shown', async ()
   await meet(1, 0, /mm apart/);
   await page.getByRole('button', { name: 'Measure' }).click();
   await page.getByRole('button', { name: 'Limits' }).click();
-  await page.getByText('This part comes from line 15').waitFor();
+  await page.getByText('This part of the path comes from line 15').waitFor();
   await page.getByRole('link', { name: 'Show the line' }).click();
   await page.getByLabel('Text of the program').getByText('G').first().waitFor();
   await page.context().close();

@@ -35,7 +35,7 @@ test('a run says how it ended', () => {
   expect(said('reset')).toBe('reset by an operator');
   expect(said('estop')).toBe('STOP ALL');
   expect(said('alarm')).toBe('ended by an alarm');
-  expect(said('cut_off')).toBe('cut off: the control ended in the middle');
+  expect(said('cut_off')).toBe('interrupted: the control went down during the run');
   expect(said('off')).toBe('the machine was switched off');
 });
 

@@ -9,9 +9,9 @@ beforeAll(() => spoken.speak('en'));
 
 test('a session is a user, a page opened by its link, or a program', () => {
   expect(whoIs('session 79 (maria (uid 0, pid 3244))')).toBe('maria');
-  expect(whoIs('session 79 (uid 0 (uid 0, pid 3244))')).toBe('a page that was opened by its link');
+  expect(whoIs('session 79 (uid 0 (uid 0, pid 3244))')).toBe('a page opened by its link');
   expect(whoIs('session 1 (uid 1000, pid 15)')).toBe(
-    'a program on the computer of the machine (process 15)',
+    'a program on the control computer (process 15)',
   );
   expect(whoIs('uid 1000, pid 15')).toMatch(/process 15/);
   expect(whoIs('maria (uid 0, pid 3244)')).toBe('maria');
@@ -29,5 +29,5 @@ test('a refusal says it in its sentence', () => {
 test('what a role does not permit has no name of a method', () => {
   const wire = 'program.hold needs the role operator; this session is observer';
   const refused = new Refusal(-32002, wire, { ...noData, code: 'E9004' });
-  expect(sentenceOf(refused)).toBe('Not permitted in the role “observer”.');
+  expect(sentenceOf(refused)).toBe('Not permitted for the role “observer”.');
 });
