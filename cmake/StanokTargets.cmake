@@ -31,7 +31,7 @@ endfunction()
 
 # Their modules are compiled together: most of what a compiler reads for a small module are headers that the next one
 # reads, too. Not those of which a program wants some alone (stanok-web, of the gateway, its history).
-set(stanok_compiled_whole lang motion channels config plant recording daemon client)
+set(stanok_compiled_whole lang motion channels config plant recording jobs daemon client)
 set(stanok_unit_most 24)  # sources
 
 # stanok_library(<folder> [DEPENDS folder...] [LIBRARIES dependency...])

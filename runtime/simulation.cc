@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/foresight/thread_time.h"
 #include "runtime/process_report.h"
+#include "runtime/thread_time.h"
 
 namespace stanok::runtime {
 namespace {

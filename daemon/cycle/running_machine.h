@@ -17,9 +17,9 @@
 #include "daemon/cycle/real_time_loop.h"
 #include "daemon/host/real_time_rights.h"
 #include "drives/bus.h"
+#include "jobs/foresight/foresight.h"
 #include "plant/drive/fault.h"
 #include "recording/log/log_writer.h"
-#include "runtime/foresight/foresight.h"
 #include "runtime/workpiece/live_workpieces.h"
 
 namespace stanok::daemon {
@@ -105,10 +105,10 @@ class RunningMachine {
   // What is known beforehand of programs (foresight.h): one was loaded; it begins, with the runs
   // that were there when it was asked for; what is to be expected of a channel.
   virtual void foresee(int channel, const std::string& program) = 0;
-  virtual void foreseen_begins(int channel, runtime::RunsOfChannels before) = 0;
-  [[nodiscard]] virtual runtime::Outlook outlook(int channel) = 0;
+  virtual void foreseen_begins(int channel, jobs::RunsOfChannels before) = 0;
+  [[nodiscard]] virtual jobs::Outlook outlook(int channel) = 0;
   // nullptr: nothing is known of it.
-  [[nodiscard]] virtual std::shared_ptr<const runtime::PlannedPath> planned_path(int channel) = 0;
+  [[nodiscard]] virtual std::shared_ptr<const jobs::PlannedPath> planned_path(int channel) = 0;
   // What is cut while the machine runs; nullptr: nobody follows it. Lives as long as the machine.
   [[nodiscard]] virtual runtime::LiveWorkpieces* live_workpieces() = 0;
 

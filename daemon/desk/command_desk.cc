@@ -70,7 +70,7 @@ void note_switches(const channels::OperatorCommand& command, ChannelNotes& notes
 
 void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer answer) {
   event.id = ++last_id_;
-  Pending pending{event, wait, std::move(answer), 0, runtime::runs_of(machine_.newest_output())};
+  Pending pending{event, wait, std::move(answer), 0, jobs::runs_of(machine_.newest_output())};
   if (reads_program(event.action()))
     pending.diagnostics_before =
         channels::newest_number(machine_.load_diagnostics(), event.channel);

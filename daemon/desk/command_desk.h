@@ -53,8 +53,8 @@ class CommandDesk {
     channels::OperatorEvent event;
     WaitFor wait = WaitFor::accepted;
     Answer answer;
-    std::uint64_t diagnostics_before = 0;   // of loads, when the command was given
-    runtime::RunsOfChannels runs_before{};  // likewise
+    std::uint64_t diagnostics_before = 0;  // of loads, when the command was given
+    jobs::RunsOfChannels runs_before{};    // likewise
   };
   struct AwaitedRun {
     int channel = 0;

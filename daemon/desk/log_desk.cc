@@ -7,10 +7,10 @@
 #include "base/place.h"
 #include "daemon/desk/log_folder.h"
 #include "daemon/report/status_report.h"
+#include "jobs/foresight/logged_tip.h"
 #include "protocol/geometry_bytes.h"
 #include "recording/read/log_contents.h"
 #include "recording/read/setpoint_walk.h"
-#include "runtime/foresight/logged_tip.h"
 #include "runtime/replay.h"
 
 namespace stanok::daemon {
@@ -159,10 +159,10 @@ std::optional<recording::LogError> add_places_in_work(const fs::path& log, int c
   });
 }
 
-std::optional<recording::LogError> add_places_on_part(const fs::path& log, runtime::LoggedTip tip,
+std::optional<recording::LogError> add_places_on_part(const fs::path& log, jobs::LoggedTip tip,
                                                       PathThinner& thinner,
                                                       const std::stop_token& stop) {
-  return runtime::for_each_place(
+  return jobs::for_each_place(
       log, tip, [&](const setpoint_t& setpoint, const std::optional<simulation::Vector>& place) {
         if (stop.stop_requested()) throw NoLongerWanted{};
         if (!place) return thinner.leave_out(setpoint);
@@ -175,7 +175,7 @@ std::optional<recording::LogError> add_places_on_part(const fs::path& log, runti
 Expected<LoggedPath, Failure> logged_path(const fs::path& log,
                                           const channels::ChannelConfig& channel,
                                           const channels::MachineConfig& machine,
-                                          const std::optional<runtime::PartSystem>& part,
+                                          const std::optional<jobs::PartSystem>& part,
                                           const std::stop_token& stop) {
   LoggedPath path;
   path.file = log;
@@ -184,7 +184,7 @@ Expected<LoggedPath, Failure> logged_path(const fs::path& log,
   PathThinner thinner(places_of_xyz(machine, channel.id), machine.cycle_us * 1e-3, path);
   try {
     const auto error =
-        part ? add_places_on_part(log, runtime::LoggedTip(machine, channel, *part), thinner, stop)
+        part ? add_places_on_part(log, jobs::LoggedTip(machine, channel, *part), thinner, stop)
              : add_places_in_work(log, channel.id, thinner, stop);
     if (error) return unreadable_log(error->text);
   } catch (const NoLongerWanted&) {
@@ -243,12 +243,12 @@ void LogDesk::verify(int session, const json& parameters, Answer answer) {
 }
 
 // That of the newest planned path, or the one that would begin now, as `on_part` of channel.status.
-std::optional<runtime::PartSystem> LogDesk::part_system(int channel) {
+std::optional<jobs::PartSystem> LogDesk::part_system(int channel) {
   if (const auto path = machine_.planned_path(channel)) {
     if (const auto part = path->state().part) return part;
   }
   const channels::MachineConfig& machine = machine_.file().machine;
-  const runtime::PartPlace place(machine, config_of(machine, channel));
+  const jobs::PartPlace place(machine, config_of(machine, channel));
   return place.system_of(output_of(machine_.newest_output(), channel));
 }
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "daemon/desk/background_work.h"
-#include "runtime/foresight/part_place.h"
+#include "jobs/foresight/part_place.h"
 
 namespace stanok::daemon {
 
@@ -52,7 +52,7 @@ class LogDesk {
   struct Newest {
     LoggedPath path;
   };
-  [[nodiscard]] std::optional<runtime::PartSystem> part_system(int channel);
+  [[nodiscard]] std::optional<jobs::PartSystem> part_system(int channel);
 
   RunningMachine& machine_;
   std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();

@@ -9,11 +9,11 @@
 namespace stanok::daemon {
 namespace {
 
+using jobs::GivenUp;
+using jobs::PathPage;
 using nlohmann::json;
 using protocol::Failure;
 using protocol::FailureKind;
-using runtime::GivenUp;
-using runtime::PathPage;
 
 constexpr auto given_up_names = enum_names<GivenUp>({
     {GivenUp::no, ""},
@@ -88,7 +88,7 @@ CommandResult path_is_gone() {
 
 }  // namespace
 
-CommandResult path_answer(const runtime::PlannedPath* path, int channel, const json& parameters) {
+CommandResult path_answer(const jobs::PlannedPath* path, int channel, const json& parameters) {
   const bool wants_one = parameters.contains("page") && parameters.value("follow", 0) == 0;
   const auto wanted_id = parameters.value("path", std::uint64_t{0});
   const auto system = parameters.value("system", std::string("work"));

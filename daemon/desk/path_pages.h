@@ -11,12 +11,12 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/desk/command_desk.h"
-#include "runtime/foresight/planned_path.h"
+#include "jobs/foresight/planned_path.h"
 
 namespace stanok::daemon {
 
 // `path` is nullptr where there is none.
-[[nodiscard]] CommandResult path_answer(const runtime::PlannedPath* path, int channel,
+[[nodiscard]] CommandResult path_answer(const jobs::PlannedPath* path, int channel,
                                         const nlohmann::json& parameters);
 
 }  // namespace stanok::daemon

@@ -10,13 +10,13 @@
 #include "daemon/host/unix_time.h"
 #include "daemon/report/inventory.h"
 #include "daemon/report/status_report.h"
+#include "jobs/dry_run/dry_run.h"
 #include "protocol/diagnostic_json.h"
 #include "protocol/plane_json.h"
-#include "runtime/dry_run/dry_run.h"
-#include "runtime/foresight/thread_time.h"
 #include "runtime/overlaid_files.h"
 #include "runtime/program_files.h"
 #include "runtime/simulation.h"
+#include "runtime/thread_time.h"
 
 namespace stanok::daemon {
 namespace {
@@ -57,7 +57,7 @@ CommandResult read_answer(const std::string& name, const StoredProgram& program,
       {"text", std::move(piece)}};
 }
 
-json check_answer(const std::string& program, const runtime::DryRunResult& result) {
+json check_answer(const std::string& program, const jobs::DryRunResult& result) {
   json diagnostics = json::array();
   for (const Diagnostic& diagnostic : result.diagnostics)
     diagnostics.push_back(json(protocol::diagnostic_json(diagnostic)));
@@ -78,8 +78,7 @@ json run_json(const channels::RunReport& run, double cycle_s) {
 }
 
 CommandResult estimate_of(const runtime::SimulationOptions& options, const std::stop_token& stop) {
-  const auto give_up_at =
-      runtime::processor_time_of_thread() + runtime::Foresight::computing_time_max;
+  const auto give_up_at = runtime::processor_time_of_thread() + jobs::Foresight::computing_time_max;
   bool is_given_up = false;
   const auto result = runtime::simulate(options, {}, [&] {
     is_given_up = stop.stop_requested() || runtime::processor_time_of_thread() > give_up_at;
@@ -198,8 +197,8 @@ void ProgramDesk::check(int session, const json& parameters, int channel, Answer
        unsaved = std::move(unsaved)](const std::stop_token& stop) -> CommandResult {
         const runtime::ProgramFiles files(roots, runtime::program_format(machine));
         const runtime::OverlaidFiles with_unsaved(files, name, unsaved);
-        const auto result = runtime::check_program(machine, channel, scheme, name, with_unsaved,
-                                                   [&stop] { return stop.stop_requested(); });
+        const auto result = jobs::check_program(machine, channel, scheme, name, with_unsaved,
+                                                [&stop] { return stop.stop_requested(); });
         json found = check_answer(name, result);
         const auto checked = with_unsaved.read(name, "");
         found["version"] = checked ? json(version_of((*checked)->text)) : json(nullptr);

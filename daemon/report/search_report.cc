@@ -76,7 +76,8 @@ bool shall_turn(lang::SpindleAction action) {
          action == lang::SpindleAction::counter_clockwise;
 }
 
-// Whether the spindle (0: the master spindle) is asked for that already, at the speed of the search.
+// Whether the spindle (0: the master spindle) is asked for that already, at the speed of the
+// search.
 bool turns_so(const channels::ProcessOutput& process, int spindle, lang::SpindleAction action,
               const lang::SearchState& state) {
   constexpr double same_speed = 1e-6;  // rev/min

@@ -228,7 +228,7 @@ StatusReport::StatusReport(RunningMachine& machine, const NotesOfChannels& notes
   const auto& config = machine.file().machine;
   for (const auto& channel : config.channels) {
     geometries_.emplace(channel.id, runtime::geometry_of(config, channel));
-    part_places_.emplace(channel.id, runtime::PartPlace(config, channel));
+    part_places_.emplace(channel.id, jobs::PartPlace(config, channel));
   }
 }
 
@@ -247,7 +247,7 @@ json StatusReport::tool_direction(const ChannelOutput& output) const {
 }
 
 // In the part system of the planned path, or else in the one that would begin now.
-json StatusReport::on_part(const ChannelOutput& output, const runtime::PlannedPath* path) const {
+json StatusReport::on_part(const ChannelOutput& output, const jobs::PlannedPath* path) const {
   const auto place = part_places_.find(output.id);
   if (place == part_places_.end()) return nullptr;
   auto part = path == nullptr ? std::nullopt : path->state().part;
@@ -337,7 +337,7 @@ StatusReport::Books StatusReport::books(std::int64_t cycle) const {
 json StatusReport::channel(const channels::ChannelConfig& config, const ChannelOutput& output,
                            const Books& books) const {
   const ChannelNotes notes = notes_of(config.id);
-  const runtime::Outlook outlook = machine_.outlook(config.id);
+  const jobs::Outlook outlook = machine_.outlook(config.id);
   const auto path = machine_.planned_path(config.id);
   json alarm = nullptr;
   if (output.state == ChannelState::alarm) {

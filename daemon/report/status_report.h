@@ -9,7 +9,7 @@
 
 #include "daemon/cycle/running_machine.h"
 #include "daemon/report/channel_notes.h"
-#include "runtime/foresight/part_place.h"
+#include "jobs/foresight/part_place.h"
 #include "simulation/machine_geometry.h"
 
 namespace stanok::daemon {
@@ -46,7 +46,7 @@ class StatusReport {
   };
   [[nodiscard]] nlohmann::json tool_direction(const channels::ChannelOutput& output) const;
   [[nodiscard]] nlohmann::json on_part(const channels::ChannelOutput& output,
-                                       const runtime::PlannedPath* path) const;
+                                       const jobs::PlannedPath* path) const;
   enum class AlarmChoice : std::uint8_t { all, active };
   [[nodiscard]] Books books(std::int64_t cycle) const;
   [[nodiscard]] nlohmann::json channel(const channels::ChannelConfig& config,
@@ -60,7 +60,7 @@ class StatusReport {
   RunningMachine& machine_;
   const NotesOfChannels& notes_;
   std::map<int, simulation::MachineGeometry> geometries_;  // by channel
-  std::map<int, runtime::PartPlace> part_places_;          // likewise
+  std::map<int, jobs::PartPlace> part_places_;             // likewise
 };
 
 // An alarm as clients get it, with what the catalogue says of it.

@@ -74,13 +74,13 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   void foresee(int channel, const std::string& program) override {
     foresight_.look_at(channel, program, newest_output(), tables());
   }
-  void foreseen_begins(int channel, runtime::RunsOfChannels before) override {
+  void foreseen_begins(int channel, jobs::RunsOfChannels before) override {
     foresight_.begins(channel, std::move(before));
   }
-  [[nodiscard]] runtime::Outlook outlook(int channel) override {
+  [[nodiscard]] jobs::Outlook outlook(int channel) override {
     return foresight_.outlook(channel, newest_output());
   }
-  [[nodiscard]] std::shared_ptr<const runtime::PlannedPath> planned_path(int channel) override {
+  [[nodiscard]] std::shared_ptr<const jobs::PlannedPath> planned_path(int channel) override {
     return foresight_.planned_path(channel);
   }
   [[nodiscard]] runtime::LiveWorkpieces* live_workpieces() override { return &workpieces_; }
@@ -122,7 +122,7 @@ class AssembledMachine final : public RunningMachine, public CyclicWork, public 
   NewestOutput newest_;
   std::mutex mutex_;  // of the rights
   RealTimeRights rights_;
-  runtime::Foresight foresight_;
+  jobs::Foresight foresight_;
   runtime::LiveWorkpieces workpieces_;
   Scope scope_;
 };

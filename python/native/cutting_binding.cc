@@ -17,9 +17,9 @@
 #include "client/offline/process/lobes_report.h"
 #include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
+#include "jobs/cutting/found_figures.h"
 #include "protocol/json_text.h"
 #include "python/native/bindings.h"
-#include "runtime/cutting/found_figures.h"
 
 namespace stanok::python {
 namespace {
@@ -47,7 +47,7 @@ Value fit_or_throw(Expected<Value, std::string> fit) {
 py::tuple identify_turning(const std::filesystem::path& file,
                            const std::vector<std::pair<double, double>>& stock, int channel,
                            int spindle, double coefficient_n) {
-  std::vector<runtime::StockStep> steps;
+  std::vector<jobs::StockStep> steps;
   for (const auto& [z_mm, radius_mm] : stock) {
     const bool falls = steps.empty() || z_mm < steps.back().z_mm;
     if (!falls || !(radius_mm > 0.0))
@@ -55,11 +55,11 @@ py::tuple identify_turning(const std::filesystem::path& file,
     steps.push_back({.z_mm = z_mm, .radius_mm = radius_mm});
   }
   if (steps.empty()) throw std::invalid_argument("stock names nothing");
-  runtime::CutLog log;
+  jobs::CutLog log;
   process::TurningFit fit;
   {
     const py::gil_scoped_release others_run;
-    log = runtime::read_cut_log(file, {.channel = channel, .spindle = spindle - 1, .stock = steps});
+    log = jobs::read_cut_log(file, {.channel = channel, .spindle = spindle - 1, .stock = steps});
     fit = fit_or_throw(process::fit_turning(log.record));
   }
   using process::CutRow;
@@ -84,18 +84,18 @@ std::string text_of_file(const std::filesystem::path& path) {
 // The report, the rows, and the file of tool and material with the figures that were found.
 py::tuple identify_milling(const std::filesystem::path& file, const std::filesystem::path& cut_file,
                            int channel, int spindle, int tool, double efficiency) {
-  const runtime::MillingLogRequest request{.channel = channel,
-                                           .spindle = spindle - 1,
-                                           .cut = config::read_chatter_file(cut_file),
-                                           .tool = tool};
+  const jobs::MillingLogRequest request{.channel = channel,
+                                        .spindle = spindle - 1,
+                                        .cut = config::read_chatter_file(cut_file),
+                                        .tool = tool};
   if (request.cut.kind != process::CutKind::milling)
     throw std::invalid_argument(cut_file.string() +
                                 " is not of a milling cut; write kind = \"milling\"");
-  runtime::MillingLog log;
+  jobs::MillingLog log;
   process::MillingFit fit;
   {
     const py::gil_scoped_release others_run;
-    log = runtime::read_milling_log(file, request);
+    log = jobs::read_milling_log(file, request);
     fit = fit_or_throw(process::fit_milling(log.record));
   }
   using process::MillingRow;
@@ -116,16 +116,16 @@ py::tuple identify_grinding(const std::filesystem::path& file,
                             const std::filesystem::path& process_file, int channel, int spindle,
                             std::optional<double> touch_mm, double watts_per_newton) {
   const process::DesignRequest sheet = config::read_grinding_file(process_file);
-  const runtime::GrindLogRequest request{.channel = channel,
-                                         .spindle = spindle - 1,
-                                         .allowance_mm = sheet.allowance_mm,
-                                         .touch_mm = touch_mm,
-                                         .watts_per_newton = watts_per_newton};
-  runtime::GrindLog log;
+  const jobs::GrindLogRequest request{.channel = channel,
+                                      .spindle = spindle - 1,
+                                      .allowance_mm = sheet.allowance_mm,
+                                      .touch_mm = touch_mm,
+                                      .watts_per_newton = watts_per_newton};
+  jobs::GrindLog log;
   process::GrindingFit fit;
   {
     const py::gil_scoped_release others_run;
-    log = runtime::read_grind_log(file, request);
+    log = jobs::read_grind_log(file, request);
     fit = fit_or_throw(process::fit_grinding(log.record, sheet.process));
   }
   py::dict arrays;
@@ -135,7 +135,7 @@ py::tuple identify_grinding(const std::filesystem::path& file,
   arrays["fitted_w"] = array_of_values(fit.fitted_w);
   const client::GrindFitReport report{.log = log, .fit = fit};
   return py::make_tuple(py::str(protocol::json_text(client::to_json(report))), arrays,
-                        py::str(runtime::with_figures(text_of_file(process_file), fit)));
+                        py::str(jobs::with_figures(text_of_file(process_file), fit)));
 }
 
 // The report, and the least depth that is not stable by speed.

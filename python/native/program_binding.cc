@@ -6,12 +6,12 @@
 
 #include "client/offline/check/law_report.h"
 #include "client/offline/interpret/record_text.h"
+#include "jobs/dry_run/dry_run.h"
 #include "protocol/json_text.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
 #include "python/native/interruption.h"
 #include "python/native/machine_handle.h"
-#include "runtime/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
 namespace stanok::python {
@@ -39,14 +39,14 @@ py::tuple interpret(const config::MachineFile& file, const Program& program) {
   static_cast<void>(channel_of(file, program.channel));
   Interruption interruption;
   std::string records;
-  runtime::DryRunResult result;
+  jobs::DryRunResult result;
   {
     const py::gil_scoped_release others_run;
     const channels::MachineConfig machine = machine_of(file, program);
     const runtime::ProgramFiles files(program.roots, runtime::program_format(machine));
-    runtime::DryRun run(machine, program.channel, program.scheme, files);
+    jobs::DryRun run(machine, program.channel, program.scheme, files);
     result = run.run(
-        program.name, runtime::Reachability::unchecked,
+        program.name, jobs::Reachability::unchecked,
         [&](const lang::Command& command, const motion::PathBlock* block) {
           client::append_record(records, command, block, run.channel().words);
         },
@@ -63,13 +63,13 @@ py::tuple interpret(const config::MachineFile& file, const Program& program) {
 py::tuple check(const config::MachineFile& file, const Program& program) {
   static_cast<void>(channel_of(file, program.channel));
   Interruption interruption;
-  runtime::DryRunResult result;
+  jobs::DryRunResult result;
   {
     const py::gil_scoped_release others_run;
     const channels::MachineConfig machine = machine_of(file, program);
     const runtime::ProgramFiles files(program.roots, runtime::program_format(machine));
-    result = runtime::check_program(machine, program.channel, program.scheme, program.name, files,
-                                    interruption.asked());
+    result = jobs::check_program(machine, program.channel, program.scheme, program.name, files,
+                                 interruption.asked());
   }
   interruption.rethrow();
   const auto faults = faults_json(result.diagnostics);

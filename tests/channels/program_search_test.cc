@@ -237,9 +237,9 @@ TEST_F(ProgramSearchTest, ATurnedToolComesDownAlongItself) {
   ASSERT_TRUE(report);
   ASSERT_EQ(report->approach.size(), 2U);
   const double rise = 50.0 / tool[2];
-  EXPECT_THAT(report->approach[0].end,
-              Pointwise(DoubleNear(1e-9), {10.0 + rise * tool[0], 5.0 + rise * tool[1], 50.0, 30.0,
-                                           20.0}));
+  EXPECT_THAT(
+      report->approach[0].end,
+      Pointwise(DoubleNear(1e-9), {10.0 + rise * tool[0], 5.0 + rise * tool[1], 50.0, 30.0, 20.0}));
   EXPECT_NEAR(report->approach[1].length_mm, rise, 1e-9);
   double off = 0.0;
   int cycles = 0;
@@ -268,8 +268,7 @@ TEST_F(ProgramSearchTest, AFlatToolComesStraightDown) {
   bench.run(1, "k.nc");
   bench.run_to_end();
   for (const char* pose : {"X0 Y0 B85", "X290 Y0 B75"}) {
-    load("G21 G90 G54\nG43.4 H0\nG0 " + std::string(pose) +
-         " Z50 C0\nG1 Z0 F1200\nN50 Y5\nM30\n");
+    load("G21 G90 G54\nG43.4 H0\nG0 " + std::string(pose) + " Z50 C0\nG1 Z0 F1200\nN50 Y5\nM30\n");
     ASSERT_EQ(search("N50"), "") << pose;
     const auto report = bench.machine().search(1);
     ASSERT_TRUE(report);

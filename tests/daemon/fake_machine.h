@@ -149,11 +149,11 @@ class FakeMachine final : public RunningMachine {
     return std::exchange(log_file, std::nullopt);
   }
   void foresee(int, const std::string& program) override { looked_at.push_back(program); }
-  void foreseen_begins(int, runtime::RunsOfChannels) override {}
-  [[nodiscard]] runtime::Outlook outlook(int) override { return expected; }
+  void foreseen_begins(int, jobs::RunsOfChannels) override {}
+  [[nodiscard]] jobs::Outlook outlook(int) override { return expected; }
   [[nodiscard]] runtime::LiveWorkpieces* live_workpieces() override { return nullptr; }
   [[nodiscard]] Scope& scope() override { return scope_now; }
-  [[nodiscard]] std::shared_ptr<const runtime::PlannedPath> planned_path(int) override {
+  [[nodiscard]] std::shared_ptr<const jobs::PlannedPath> planned_path(int) override {
     return planned;
   }
 
@@ -174,8 +174,8 @@ class FakeMachine final : public RunningMachine {
   channels::SituationReport situation_report;
   std::optional<std::filesystem::path> log_file;
   std::vector<std::string> looked_at;  // programs
-  runtime::Outlook expected;
-  std::shared_ptr<runtime::PlannedPath> planned;
+  jobs::Outlook expected;
+  std::shared_ptr<jobs::PlannedPath> planned;
   std::vector<channels::AlarmReport> diagnostics;
   std::filesystem::path root = std::filesystem::temp_directory_path();
   std::filesystem::path logs;

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "config/files/machine_file.h"
-#include "runtime/dry_run/dry_run.h"
+#include "jobs/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 #include "runtime/simulation.h"
 #include "tests/support/project_folders.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "config/files/machine_file.h"
-#include "runtime/dry_run/dry_run.h"
+#include "jobs/dry_run/dry_run.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::runtime {

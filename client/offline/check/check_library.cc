@@ -14,8 +14,8 @@
 #include "client/terminal/output.h"
 #include "client/terminal/plane_table.h"
 #include "config/files/machine_file.h"
+#include "jobs/dry_run/dry_run.h"
 #include "protocol/plane_json.h"
-#include "runtime/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
 namespace stanok::client {
@@ -33,7 +33,7 @@ CheckedProgram checked(const Candidate& candidate, const JobOptions& job,
   const auto begin = std::chrono::steady_clock::now();
   const LocatedProgram program = locate(candidate.path);
   const runtime::ProgramFiles files = files_of(candidate, job, machine, &book);
-  auto result = runtime::check_program(machine, job.channel, scheme_of(job), program.name, files);
+  auto result = jobs::check_program(machine, job.channel, scheme_of(job), program.name, files);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   if (!candidate.folder.empty()) {  // in a folder a name alone may be that of several programs
     for (Diagnostic& diagnostic : result.diagnostics) {

@@ -55,7 +55,7 @@ motion::LawEstimate estimate_of(const json& record) {
   return estimate;
 }
 
-json law_record(const runtime::LawBlock& law) {
+json law_record(const jobs::LawBlock& law) {
   return {{"file", law.place.file},
           {"line", law.place.line},
           {"kind", static_cast<int>(law.kind)},
@@ -66,8 +66,8 @@ json law_record(const runtime::LawBlock& law) {
           {"time_is_least", law.time_is_least}};
 }
 
-runtime::LawBlock law_of(const json& record) {
-  runtime::LawBlock law;
+jobs::LawBlock law_of(const json& record) {
+  jobs::LawBlock law;
   law.place.file = record.at("file");
   law.place.line = record.at("line");
   law.kind = static_cast<motion::LawKind>(record.at("kind").get<int>());
@@ -121,7 +121,7 @@ PlanePosition plane_of(const json& record) {
 
 std::string check_record(const CheckedProgram& program) {
   json laws = json::array();
-  for (const runtime::LawBlock& law : program.laws) laws.push_back(law_record(law));
+  for (const jobs::LawBlock& law : program.laws) laws.push_back(law_record(law));
   json planes = json::array();
   for (const PlanePosition& plane : program.planes) planes.push_back(plane_record(plane));
   return bytes_of({{"file", program.file},

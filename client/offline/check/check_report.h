@@ -9,7 +9,7 @@
 #include "base/diagnostic.h"
 #include "base/plane_position.h"
 #include "client/terminal/terminal.h"
-#include "runtime/dry_run/dry_run.h"
+#include "jobs/dry_run/dry_run.h"
 
 namespace stanok::client {
 
@@ -18,7 +18,7 @@ struct CheckedProgram {
   Diagnostics diagnostics;
   std::uint64_t blocks = 0;
   double seconds = 0.0;  // wall time of the check
-  std::vector<runtime::LawBlock> laws{};
+  std::vector<jobs::LawBlock> laws{};
   PlanePositions planes{};
 };
 

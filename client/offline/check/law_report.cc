@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* name_of(const runtime::LawBlock& block) {
+const char* name_of(const jobs::LawBlock& block) {
   switch (block.kind) {
     case motion::LawKind::none:
       break;
@@ -30,7 +30,7 @@ const char* name_of(const runtime::LawBlock& block) {
   return "none";
 }
 
-const char* unit_of(const runtime::LawBlock& block) {
+const char* unit_of(const jobs::LawBlock& block) {
   return block.units.per_revolution ? "mm/rev" : "mm/min";
 }
 
@@ -42,7 +42,7 @@ std::optional<double> cycle_of(const motion::LawEstimate& estimate) {
   return estimate.cycle ? std::optional(estimate.cycle->exact) : std::nullopt;
 }
 
-std::vector<std::string> cells(const runtime::LawBlock& block) {
+std::vector<std::string> cells(const jobs::LawBlock& block) {
   const motion::LawEstimate& e = block.estimate;
   return {fmt::format("{}:{}", block.place.file, block.place.line),
           name_of(block),
@@ -63,7 +63,7 @@ void put(ordered_json& json, const char* name, const std::optional<double>& valu
   if (value) json[name] = *value;
 }
 
-ordered_json fields(const runtime::LawBlock& block) {
+ordered_json fields(const jobs::LawBlock& block) {
   const motion::LawEstimate& e = block.estimate;
   ordered_json json = {{"file", block.place.file},   {"line", block.place.line},
                        {"law", name_of(block)},      {"path_mm", block.path_mm},
@@ -86,7 +86,7 @@ std::string estimate_table(const std::vector<CheckedProgram>& programs, const Te
                    "cycle s", "K_A", "K_B", "K_M"});
   bool any = false;
   for (const CheckedProgram& program : programs) {
-    for (const runtime::LawBlock& block : program.laws) table.add_row(cells(block));
+    for (const jobs::LawBlock& block : program.laws) table.add_row(cells(block));
     any = any || !program.laws.empty();
   }
   return any ? table.text(terminal) : "no feed laws\n";
@@ -98,7 +98,7 @@ ordered_json estimate_json(const std::vector<CheckedProgram>& programs) {
                        {"tilted_planes", ordered_json::array()}};
   for (const CheckedProgram& program : programs) {
     for (const Diagnostic& d : program.diagnostics) json["diagnostics"].push_back(to_json(d));
-    for (const runtime::LawBlock& block : program.laws) json["feed_laws"].push_back(fields(block));
+    for (const jobs::LawBlock& block : program.laws) json["feed_laws"].push_back(fields(block));
     for (auto& plane : protocol::plane_json(program.planes))
       json["tilted_planes"].push_back(std::move(plane));
   }

@@ -11,7 +11,7 @@
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
 #include "config/files/machine_file.h"
-#include "runtime/dry_run/dry_run.h"
+#include "jobs/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
 namespace stanok::client {
@@ -36,15 +36,15 @@ double processor_time_s() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-runtime::Beginning beginning_of(const InterpretOptions& options) {
-  runtime::Beginning beginning;
+jobs::Beginning beginning_of(const InterpretOptions& options) {
+  jobs::Beginning beginning;
   if (options.from_line > 0) {
     beginning.target.line = options.from_line;
   } else {
     beginning.target.block_number = options.from_block;
   }
   beginning.target.passes = options.passes;
-  if (options.without_calculation) beginning.calculation = runtime::Calculation::without;
+  if (options.without_calculation) beginning.calculation = jobs::Calculation::without;
   return beginning;
 }
 
@@ -54,7 +54,7 @@ int run(const InterpretOptions& options) {
   const LocatedProgram program = locate(options.program);
   const runtime::ProgramFiles files(search_roots({program}, options.job),
                                     runtime::program_format(machine.machine));
-  runtime::DryRun dry_run(machine.machine, options.job.channel, scheme_of(options.job), files);
+  jobs::DryRun dry_run(machine.machine, options.job.channel, scheme_of(options.job), files);
   std::string text;
   const auto write_out = [&] {
     write_data(text);
@@ -65,15 +65,15 @@ int run(const InterpretOptions& options) {
     if (text.size() > write_threshold) write_out();
   };
   const auto nothing = [](const lang::Command&, const motion::PathBlock*) {};
-  const runtime::RecordSink record =
-      options.quiet ? runtime::RecordSink(nothing) : runtime::RecordSink(print_record);
+  const jobs::RecordSink record =
+      options.quiet ? jobs::RecordSink(nothing) : jobs::RecordSink(print_record);
   const auto result =
       options.searches()
           ? dry_run.run_from(program.name, beginning_of(options), record,
                              [&](const lang::SearchState& state, const lang::Origin& target) {
                                append_search(text, state, target, dry_run.channel().words);
                              })
-          : dry_run.run(program.name, runtime::Reachability::unchecked, record,
+          : dry_run.run(program.name, jobs::Reachability::unchecked, record,
                         [](const lang::Request&, const lang::Command&) {});
   write_out();
   for (const Diagnostic& diagnostic : result.diagnostics) print(diagnostic);

@@ -15,7 +15,7 @@ std::string text_of_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-runtime::ForecastJob forecast_job(const std::string& program, const JobOptions& options) {
+jobs::ForecastJob forecast_job(const std::string& program, const JobOptions& options) {
   const LocatedProgram located = locate(program);
   return {.machine = machine_file_of(options),
           .program_roots = search_roots({located}, options),

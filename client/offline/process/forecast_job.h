@@ -4,14 +4,13 @@
 #include <string>
 
 #include "client/offline/machine/job_options.h"
-#include "runtime/cutting/forecast_job.h"
+#include "jobs/cutting/forecast_job.h"
 
 namespace stanok::client {
 
 [[nodiscard]] std::string text_of_file(const std::string& path);
 
 // Prints what is wrong with the program, and gives up when the command is interrupted.
-[[nodiscard]] runtime::ForecastJob forecast_job(const std::string& program,
-                                                const JobOptions& options);
+[[nodiscard]] jobs::ForecastJob forecast_job(const std::string& program, const JobOptions& options);
 
 }  // namespace stanok::client

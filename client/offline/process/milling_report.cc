@@ -10,8 +10,8 @@
 namespace stanok::client {
 namespace {
 
-using runtime::MillingForecast;
-using runtime::MillingPlace;
+using jobs::MillingForecast;
+using jobs::MillingPlace;
 
 using recording::gnuplot_text;
 using recording::number;

@@ -12,19 +12,19 @@
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"
 #include "config/files/chatter_file.h"
+#include "jobs/cutting/force_forecast.h"
 #include "recording/plot/gnuplot.h"
-#include "runtime/cutting/force_forecast.h"
 
 namespace stanok::client {
 namespace {
 
-using runtime::ForceForecast;
-using runtime::ForcePlace;
-using runtime::ForecastRequest;
-using runtime::MillingForecast;
-using runtime::MillingPlace;
-using runtime::MillingRequest;
-using runtime::with_feeds;
+using jobs::ForceForecast;
+using jobs::ForcePlace;
+using jobs::ForecastRequest;
+using jobs::MillingForecast;
+using jobs::MillingPlace;
+using jobs::MillingRequest;
+using jobs::with_feeds;
 
 struct OptimiseOptions {
   std::string program;

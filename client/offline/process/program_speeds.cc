@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "client/terminal/diagnostic_output.h"
-#include "runtime/dry_run/dry_run.h"
+#include "jobs/dry_run/dry_run.h"
 #include "runtime/program_files.h"
 
 namespace stanok::client {
@@ -15,7 +15,7 @@ std::vector<double> speeds_of_program(const std::string& program, const JobOptio
   const LocatedProgram located = locate(program);
   const runtime::ProgramFiles files(search_roots({located}, job),
                                     runtime::program_format(machine.machine));
-  runtime::DryRun dry_run(machine.machine, job.channel, scheme_of(job), files);
+  jobs::DryRun dry_run(machine.machine, job.channel, scheme_of(job), files);
   std::set<double> speeds;
   double speed = 0.0;
   const auto take = [&](const lang::Command& command, const motion::PathBlock*) {
@@ -31,7 +31,7 @@ std::vector<double> speeds_of_program(const std::string& program, const JobOptio
       if (move->kind != lang::MoveKind::rapid && speed > 0.0) speeds.insert(speed);
     }
   };
-  const auto result = dry_run.run(located.name, runtime::Reachability::unchecked, take,
+  const auto result = dry_run.run(located.name, jobs::Reachability::unchecked, take,
                                   [](const lang::Request&, const lang::Command&) {});
   for (const Diagnostic& diagnostic : result.diagnostics) print(diagnostic);
   if (has_errors(result.diagnostics)) throw std::runtime_error(program + " has errors");

@@ -10,19 +10,19 @@
 #include "daemon/desk/log_folder.h"
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/process/process_desk.h"
-#include "runtime/cutting/cut_log.h"
-#include "runtime/cutting/found_figures.h"
-#include "runtime/cutting/grind_log.h"
-#include "runtime/cutting/milling_log.h"
+#include "jobs/cutting/cut_log.h"
+#include "jobs/cutting/found_figures.h"
+#include "jobs/cutting/grind_log.h"
+#include "jobs/cutting/milling_log.h"
 
 namespace stanok::daemon {
 namespace {
 
 namespace fs = std::filesystem;
+using jobs::StockStep;
 using nlohmann::json;
 using process::Estimate;
 using protocol::Failure;
-using runtime::StockStep;
 
 constexpr std::size_t rows_read_max = 1'000'000;  // cycles of a log, some hundred bytes each
 constexpr std::size_t stock_steps_max = 100;
@@ -79,7 +79,7 @@ struct FiguresRequest {
   int channel = 1;
   fs::path log;
   ProgramFolder folder;
-  runtime::ReadingBounds bounds{};
+  jobs::ReadingBounds bounds{};
 
   [[nodiscard]] int spindle() const { return parameters.value("spindle", 1) - 1; }
 };
@@ -91,10 +91,10 @@ CommandResult turning(const FiguresRequest& request) {
         "the stock before the cut is to be given as Z:RADIUS in mm with falling Z, as "
         "0:32,-20:33");
   }
-  const runtime::CutLog log = runtime::read_cut_log(request.log, {.channel = request.channel,
-                                                                  .spindle = request.spindle(),
-                                                                  .stock = *stock,
-                                                                  .bounds = request.bounds});
+  const jobs::CutLog log = jobs::read_cut_log(request.log, {.channel = request.channel,
+                                                            .spindle = request.spindle(),
+                                                            .stock = *stock,
+                                                            .bounds = request.bounds});
   const auto fit = process::fit_turning(log.record);
   if (!fit) return nothing_told(fit.error());
   double rev_per_min = 0.0;
@@ -104,8 +104,7 @@ CommandResult turning(const FiguresRequest& request) {
   json figures = json::array({figure_json("coefficient_over_efficiency_n", fit->coefficient_n),
                               figure_json("exponent", fit->exponent)});
   if (coefficient_n > 0.0) {
-    figures.push_back(
-        figure_json("efficiency", runtime::quotient(coefficient_n, fit->coefficient_n)));
+    figures.push_back(figure_json("efficiency", jobs::quotient(coefficient_n, fit->coefficient_n)));
   }
   constexpr double ms_per_s = 1e3;
   figures.push_back(figure_json("power_lag_ms", fit->lag_s, ms_per_s));
@@ -116,7 +115,7 @@ CommandResult turning(const FiguresRequest& request) {
               {"residual_w", fit->residual_w},
               {"readings", fit->readings},
               {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
-              {"text", runtime::process_section(*fit, rev_per_min, coefficient_n)}};
+              {"text", jobs::process_section(*fit, rev_per_min, coefficient_n)}};
 }
 
 CommandResult grinding(const FiguresRequest& request) {
@@ -130,7 +129,7 @@ CommandResult grinding(const FiguresRequest& request) {
     return wrong_file(error, name);
   }
   const json& given = request.parameters;
-  runtime::GrindLogRequest asked{
+  jobs::GrindLogRequest asked{
       .channel = request.channel,
       .spindle = request.spindle(),
       .allowance_mm = sheet.allowance_mm,
@@ -139,7 +138,7 @@ CommandResult grinding(const FiguresRequest& request) {
                           given.value("efficiency", wheel_efficiency_usual),
       .bounds = request.bounds};
   if (given.contains("touch")) asked.touch_mm = given["touch"].get<double>();
-  const runtime::GrindLog log = runtime::read_grind_log(request.log, asked);
+  const jobs::GrindLog log = jobs::read_grind_log(request.log, asked);
   const auto fit = process::fit_grinding(log.record, sheet.process);
   if (!fit) return nothing_told(fit.error());
   constexpr double n_per_um = 1e-6;  // of N/m
@@ -156,19 +155,19 @@ CommandResult grinding(const FiguresRequest& request) {
       {"residual_w", fit->residual_w},
       {"readings", readings},
       {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
-      {"text", runtime::with_figures(file->text, *fit)}};
+      {"text", jobs::with_figures(file->text, *fit)}};
 }
 
 CommandResult milling(const FiguresRequest& request) {
   const std::string name = request.parameters.value("program", std::string());
   const auto file = request.folder.read(name);
   if (!file) return Unexpected<Failure>(file.error());
-  runtime::MillingLogRequest asked{.channel = request.channel,
-                                   .spindle = request.spindle(),
-                                   .cut = {},
-                                   .tool = request.parameters.value("tool", 0),
-                                   .memory_max = workpiece_bytes_max,
-                                   .bounds = request.bounds};
+  jobs::MillingLogRequest asked{.channel = request.channel,
+                                .spindle = request.spindle(),
+                                .cut = {},
+                                .tool = request.parameters.value("tool", 0),
+                                .memory_max = workpiece_bytes_max,
+                                .bounds = request.bounds};
   try {
     asked.cut = config::read_chatter_file(file->path);
   } catch (const config::ConfigError& error) {
@@ -176,10 +175,10 @@ CommandResult milling(const FiguresRequest& request) {
   }
   if (asked.cut.kind != process::CutKind::milling)
     return nothing_told(name + " is not of a milling tool; give kind = \"milling\"");
-  const runtime::MillingLog log = runtime::read_milling_log(request.log, asked);
+  const jobs::MillingLog log = jobs::read_milling_log(request.log, asked);
   const auto fit = process::fit_milling(log.record);
   if (!fit) return nothing_told(fit.error());
-  const auto forces = runtime::cut_forces(*fit, request.parameters.value("efficiency", 1.0));
+  const auto forces = jobs::cut_forces(*fit, request.parameters.value("efficiency", 1.0));
   constexpr double ms_per_s = 1e3;
   json figures = json::array({figure_json("force_n_mm2", forces.force_n_per_mm2),
                               figure_json("edge_force_n_mm", forces.edge_n_per_mm),
@@ -191,7 +190,7 @@ CommandResult milling(const FiguresRequest& request) {
               {"residual_w", fit->residual_w},
               {"readings", fit->readings},
               {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
-              {"text", runtime::with_figures(file->text, forces)}};
+              {"text", jobs::with_figures(file->text, forces)}};
 }
 
 CommandResult told(const FiguresRequest& request) {

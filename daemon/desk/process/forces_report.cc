@@ -8,16 +8,16 @@
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/process/process_desk.h"
 #include "daemon/desk/program_desk.h"
-#include "runtime/cutting/force_forecast.h"
-#include "runtime/cutting/milling_forecast.h"
+#include "jobs/cutting/force_forecast.h"
+#include "jobs/cutting/milling_forecast.h"
 
 namespace stanok::daemon {
 namespace {
 
+using jobs::ForecastJob;
 using nlohmann::json;
 using process::CuttingProcess;
 using protocol::Failure;
-using runtime::ForecastJob;
 
 // A place takes some hundred bytes, that of a milling cut some thousand.
 constexpr std::size_t turning_places_max = 500'000;
@@ -101,7 +101,7 @@ CommandResult answer_of(const ForecastJob& job, const Wanted& wanted, const Fore
   for (const CutAt& place : with_peaks(places)) rows.push_back(cut_at_json(place));
   answer["places"] = std::move(rows);
   if (wanted.force_n > 0.0) {
-    std::string text = runtime::with_feeds(job.text, forecast.lines);
+    std::string text = jobs::with_feeds(job.text, forecast.lines);
     if (text.size() <= ProgramDesk::read_bytes_max) answer["text"] = std::move(text);
   }
   return answer;
@@ -109,15 +109,15 @@ CommandResult answer_of(const ForecastJob& job, const Wanted& wanted, const Fore
 
 CommandResult turning(ForecastJob job, const Wanted& wanted) {
   job.places_max = turning_places_max;
-  const runtime::ForecastRequest request{.job = std::move(job),
-                                         .force_n = wanted.force_n,
-                                         .feed_min = wanted.feed_min,
-                                         .feed_max = wanted.feed_max};
-  const runtime::ForceForecast forecast = runtime::forecast_forces(request);
+  const jobs::ForecastRequest request{.job = std::move(job),
+                                      .force_n = wanted.force_n,
+                                      .feed_min = wanted.feed_min,
+                                      .feed_max = wanted.feed_max};
+  const jobs::ForceForecast forecast = jobs::forecast_forces(request);
   const double um_per_n = wanted.stiffness_n_per_um > 0.0 ? 1.0 / wanted.stiffness_n_per_um : 0.0;
   std::vector<CutAt> places;
   places.reserve(forecast.places.size());
-  for (const runtime::ForcePlace& one : forecast.places) {
+  for (const jobs::ForcePlace& one : forecast.places) {
     places.push_back({.path_mm = one.path_mm,
                       .force_programmed_n = one.force_programmed_n,
                       .force_n = one.force_n,
@@ -134,18 +134,18 @@ CommandResult turning(ForecastJob job, const Wanted& wanted) {
 
 CommandResult milling(ForecastJob job, const Wanted& wanted, const CuttingProcess& cut) {
   job.places_max = milling_places_max;
-  const runtime::MillingRequest request{.job = std::move(job),
-                                        .cut = cut,
-                                        .tool = wanted.tool,
-                                        .step_mm = wanted.step_mm,
-                                        .force_n = wanted.force_n,
-                                        .feed_min = wanted.feed_min,
-                                        .feed_max = wanted.feed_max,
-                                        .memory_max = workpiece_bytes_max};
-  const runtime::MillingForecast forecast = runtime::forecast_milling(request);
+  const jobs::MillingRequest request{.job = std::move(job),
+                                     .cut = cut,
+                                     .tool = wanted.tool,
+                                     .step_mm = wanted.step_mm,
+                                     .force_n = wanted.force_n,
+                                     .feed_min = wanted.feed_min,
+                                     .feed_max = wanted.feed_max,
+                                     .memory_max = workpiece_bytes_max};
+  const jobs::MillingForecast forecast = jobs::forecast_milling(request);
   std::vector<CutAt> places;
   places.reserve(forecast.places.size());
-  for (const runtime::MillingPlace& one : forecast.places) {
+  for (const jobs::MillingPlace& one : forecast.places) {
     places.push_back({.path_mm = one.path_mm,
                       .force_programmed_n = one.force_peak_n,
                       .force_n = one.force_planned_n,

@@ -9,8 +9,8 @@
 #include "config/text/config_error.h"
 #include "daemon/desk/background_work.h"
 #include "daemon/desk/program_folder.h"
-#include "runtime/cutting/forecast_job.h"
-#include "runtime/dry_run/dry_run.h"
+#include "jobs/cutting/forecast_job.h"
+#include "jobs/dry_run/dry_run.h"
 
 namespace stanok::daemon {
 
@@ -26,15 +26,14 @@ inline constexpr std::uint64_t workpiece_bytes_max = 256U << 20;
 
 // True once the request is given up, or when the thread that calls it has worked for the time of a
 // foresight since it was made.
-[[nodiscard]] runtime::GivesUp gives_up_when(const std::stop_token& stop);
+[[nodiscard]] jobs::GivesUp gives_up_when(const std::stop_token& stop);
 
 // What ProcessDesk has done in the background: figures of a cut from a log, forces along a program
 // (its text is read then).
 [[nodiscard]] BackgroundWork::Work figures_from(const std::filesystem::path& log, int channel,
                                                 const ProgramFolder& folder,
                                                 const nlohmann::json& parameters);
-[[nodiscard]] BackgroundWork::Work forces_along(runtime::ForecastJob job,
-                                                const ProgramFolder& folder,
+[[nodiscard]] BackgroundWork::Work forces_along(jobs::ForecastJob job, const ProgramFolder& folder,
                                                 const nlohmann::json& parameters);
 
 // Rows of a list, of which as many are left out as keep the answer short.

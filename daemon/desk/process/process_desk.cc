@@ -4,10 +4,10 @@
 #include "daemon/desk/as_it_stands.h"
 #include "daemon/desk/log_folder.h"
 #include "daemon/desk/process/process_answers.h"
+#include "jobs/foresight/foresight.h"
 #include "process/chatter/lobes_study.h"
-#include "runtime/foresight/foresight.h"
-#include "runtime/foresight/thread_time.h"
 #include "runtime/program_files.h"
+#include "runtime/thread_time.h"
 
 namespace stanok::daemon {
 namespace {
@@ -91,8 +91,8 @@ Unexpected<Failure> wrong_file(const config::ConfigError& error, const std::stri
   return Unexpected<Failure>({FailureKind::program_error, "E9102", fault.text, 0, place});
 }
 
-runtime::GivesUp gives_up_when(const std::stop_token& stop) {
-  const auto end = runtime::processor_time_of_thread() + runtime::Foresight::computing_time_max;
+jobs::GivesUp gives_up_when(const std::stop_token& stop) {
+  const auto end = runtime::processor_time_of_thread() + jobs::Foresight::computing_time_max;
   return [stop, end] { return stop.stop_requested() || runtime::processor_time_of_thread() > end; };
 }
 
@@ -133,12 +133,12 @@ void ProcessDesk::figures(int session, const json& parameters, int channel, Answ
 void ProcessDesk::forces(int session, const json& parameters, int channel, Answer answer) {
   work_.cancel(session);
   runtime::SimulationOptions now = simulation_as_it_stands(machine_);
-  runtime::ForecastJob job{.machine = std::move(now.file),
-                           .program_roots = std::move(now.program_roots),
-                           .program = parameters["program"].get<std::string>(),
-                           .text = {},
-                           .channel = channel,
-                           .schemes = std::move(now.schemes)};
+  jobs::ForecastJob job{.machine = std::move(now.file),
+                        .program_roots = std::move(now.program_roots),
+                        .program = parameters["program"].get<std::string>(),
+                        .text = {},
+                        .channel = channel,
+                        .schemes = std::move(now.schemes)};
   work_.submit(session, forces_along(std::move(job), folder(), parameters), std::move(answer));
 }
 

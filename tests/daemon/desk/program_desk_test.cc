@@ -171,8 +171,8 @@ Value value_at(const std::string& bytes, std::size_t place) {
 }
 
 TEST_F(ProgramDeskTest, PagesOfAPathHaveTheirPointsAndLines) {
-  machine.planned = std::make_shared<runtime::PlannedPath>(5, "a.nc");
-  const std::size_t points = runtime::PlannedPath::page_points + 3;
+  machine.planned = std::make_shared<jobs::PlannedPath>(5, "a.nc");
+  const std::size_t points = jobs::PlannedPath::page_points + 3;
   for (std::size_t k = 0; k < points; ++k) {
     machine.planned->add({.place_mm = {static_cast<float>(k), 0.5F, -1.0F},
                           .on_part_mm = {static_cast<float>(k), 8.5F, -9.0F},
@@ -207,13 +207,13 @@ TEST_F(ProgramDeskTest, PagesOfAPathHaveTheirPointsAndLines) {
 }
 
 TEST_F(ProgramDeskTest, AllPagesOfAPathLieInTheSystemThatWasAskedFor) {
-  machine.planned = std::make_shared<runtime::PlannedPath>(5, "a.nc");
+  machine.planned = std::make_shared<jobs::PlannedPath>(5, "a.nc");
   machine.planned->lie_on(
       {.scheme = 2,
        .in_base =
            simulation::Pose(Eigen::Translation3d(1.0, -2.0, 3.5) *
                             Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitZ()))});
-  for (std::size_t k = 0; k < runtime::PlannedPath::page_points + 1; ++k)
+  for (std::size_t k = 0; k < jobs::PlannedPath::page_points + 1; ++k)
     machine.planned->add({.place_mm = {1.0F, 0.5F, -1.0F}, .on_part_mm = {2.0F, 8.5F, -9.0F}});
   machine.planned->complete();
   const auto first = *desk.path({{"system", "part"}}, 1);
@@ -228,11 +228,11 @@ TEST_F(ProgramDeskTest, AllPagesOfAPathLieInTheSystemThatWasAskedFor) {
 }
 
 TEST_F(ProgramDeskTest, PointsBeyondTheBoundAreLeftOut) {
-  runtime::PlannedPath path(1, "a.nc");
-  for (std::size_t k = 0; k < runtime::PlannedPath::points_max + 10'000; ++k) path.add({});
+  jobs::PlannedPath path(1, "a.nc");
+  for (std::size_t k = 0; k < jobs::PlannedPath::points_max + 10'000; ++k) path.add({});
   path.complete();
   EXPECT_FALSE(path.state().is_complete);
-  EXPECT_LT(path.state().points, runtime::PlannedPath::points_max + 5'000);
+  EXPECT_LT(path.state().points, jobs::PlannedPath::points_max + 5'000);
 }
 
 }  // namespace

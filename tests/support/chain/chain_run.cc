@@ -6,7 +6,7 @@
 #include <exception>
 
 #include "base/catalogue.h"
-#include "runtime/dry_run/dry_run.h"
+#include "jobs/dry_run/dry_run.h"
 #include "tests/support/machine/machine_bench.h"
 
 namespace stanok::testing {
@@ -113,7 +113,7 @@ std::string chain_fault(MachineKind machine, const std::string& program, Choices
   try {
     MemoryFiles files;
     files.texts[name] = program;
-    const auto checked = runtime::check_program(machine_of(machine), 1, -1, name, files);
+    const auto checked = jobs::check_program(machine_of(machine), 1, -1, name, files);
     std::string refused;
     for (const Diagnostic& d : checked.diagnostics) {
       if (d.severity == Severity::error && refused.empty())

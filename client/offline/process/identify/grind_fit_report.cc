@@ -10,7 +10,7 @@ namespace {
 using nlohmann::ordered_json;
 using process::GrindingFit;
 
-int readings_of(const runtime::GrindLog& log) {
+int readings_of(const jobs::GrindLog& log) {
   int count = 0;
   for (const process::GrindRow& row : log.record.rows) count += std::isfinite(row.power_w) ? 1 : 0;
   return count;

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "runtime/cutting/grind_log.h"
+#include "jobs/cutting/grind_log.h"
 
 namespace stanok::client {
 
 struct GrindFitReport {
-  const runtime::GrindLog& log;
+  const jobs::GrindLog& log;
   const process::GrindingFit& fit;
 };
 

@@ -16,17 +16,17 @@
 #include "client/terminal/result_files.h"
 #include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
-#include "runtime/cutting/found_figures.h"
+#include "jobs/cutting/found_figures.h"
 
 namespace stanok::client {
 namespace {
 
-using runtime::CutLog;
-using runtime::GrindLog;
-using runtime::GrindLogRequest;
-using runtime::MillingLog;
-using runtime::MillingLogRequest;
-using runtime::StockStep;
+using jobs::CutLog;
+using jobs::GrindLog;
+using jobs::GrindLogRequest;
+using jobs::MillingLog;
+using jobs::MillingLogRequest;
+using jobs::StockStep;
 
 constexpr double usual_efficiency_of_wheel = 0.85;
 
@@ -99,7 +99,7 @@ int run_grinding(const IdentifyOptions& options) {
   if (!fit) throw std::runtime_error(fit.error());
   const GrindFitReport report{.log = log, .fit = *fit};
   return tell(options, report,
-              [&] { return runtime::with_figures(text_of_file(options.grinding), *fit); });
+              [&] { return jobs::with_figures(text_of_file(options.grinding), *fit); });
 }
 
 int run_milling(const IdentifyOptions& options) {
@@ -124,7 +124,7 @@ int run_identify(const IdentifyOptions& options) {
     throw CLI::RequiredError(
         "--stock of a turning cut, --cut of a milling cut, or --grinding of a plunge cycle");
   }
-  const CutLog log = runtime::read_cut_log(
+  const CutLog log = jobs::read_cut_log(
       options.log,
       {.channel = options.channel, .spindle = options.spindle - 1, .stock = stock_of(options)});
   const auto fit = process::fit_turning(log.record);

@@ -1,7 +1,7 @@
 #include "client/offline/process/identify/identify_report.h"
 
 #include "client/offline/process/identify/figure_table.h"
-#include "runtime/cutting/found_figures.h"
+#include "jobs/cutting/found_figures.h"
 
 namespace stanok::client {
 namespace {
@@ -12,7 +12,7 @@ using process::TurningFit;
 
 // C over C / eta.
 Estimate efficiency_of(const IdentifyReport& report) {
-  return runtime::quotient(report.coefficient_n, report.fit.coefficient_n);
+  return jobs::quotient(report.coefficient_n, report.fit.coefficient_n);
 }
 
 double speed_of(const IdentifyReport& report) {
@@ -41,7 +41,7 @@ ordered_json to_json(const IdentifyReport& report) {
 }
 
 std::string process_section(const IdentifyReport& report) {
-  return runtime::process_section(report.fit, speed_of(report), report.coefficient_n);
+  return jobs::process_section(report.fit, speed_of(report), report.coefficient_n);
 }
 
 void draw_picture(const IdentifyReport& report, const std::filesystem::path& file) {

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "runtime/cutting/cut_log.h"
+#include "jobs/cutting/cut_log.h"
 
 namespace stanok::client {
 
 struct IdentifyReport {
-  const runtime::CutLog& log;
+  const jobs::CutLog& log;
   const process::TurningFit& fit;
   // Known from elsewhere: C of the material, N; 0: it is not known, and neither is the efficiency.
   double coefficient_n = 0.0;

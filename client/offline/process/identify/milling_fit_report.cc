@@ -1,7 +1,7 @@
 #include "client/offline/process/identify/milling_fit_report.h"
 
 #include "client/offline/process/identify/figure_table.h"
-#include "runtime/cutting/found_figures.h"
+#include "jobs/cutting/found_figures.h"
 
 namespace stanok::client {
 namespace {
@@ -10,11 +10,11 @@ using nlohmann::ordered_json;
 using process::Estimate;
 
 Estimate force_of(const MillingFitReport& report) {
-  return runtime::cut_forces(report.fit, report.efficiency).force_n_per_mm2;
+  return jobs::cut_forces(report.fit, report.efficiency).force_n_per_mm2;
 }
 
 Estimate edge_of(const MillingFitReport& report) {
-  return runtime::cut_forces(report.fit, report.efficiency).edge_n_per_mm;
+  return jobs::cut_forces(report.fit, report.efficiency).edge_n_per_mm;
 }
 
 double speed_of(const MillingFitReport& report) {
@@ -40,7 +40,7 @@ ordered_json to_json(const MillingFitReport& report) {
 }
 
 std::string with_figures(const std::string& cut_file, const MillingFitReport& report) {
-  return runtime::with_figures(cut_file, runtime::cut_forces(report.fit, report.efficiency));
+  return jobs::with_figures(cut_file, jobs::cut_forces(report.fit, report.efficiency));
 }
 
 void draw_picture(const MillingFitReport& report, const std::filesystem::path& file) {

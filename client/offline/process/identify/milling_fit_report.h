@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "runtime/cutting/milling_log.h"
+#include "jobs/cutting/milling_log.h"
 
 namespace stanok::client {
 
 struct MillingFitReport {
-  const runtime::MillingLog& log;
+  const jobs::MillingLog& log;
   const process::MillingFit& fit;
   // Of the drive, known from elsewhere: K_t is that times K_t / eta.
   double efficiency = 1.0;

@@ -5,8 +5,8 @@
 namespace stanok::client {
 namespace {
 
-runtime::LawBlock block_of(motion::LawKind kind, int line) {
-  runtime::LawBlock block;
+jobs::LawBlock block_of(motion::LawKind kind, int line) {
+  jobs::LawBlock block;
   block.place.file = "a.nc";
   block.place.line = line;
   block.kind = kind;
@@ -24,11 +24,11 @@ std::vector<CheckedProgram> programs_with_laws() {
   warning.code = "W810";
   warning.severity = Severity::warning;
   program.diagnostics = {warning};
-  runtime::LawBlock interrupted = block_of(motion::LawKind::interrupted, 4);
+  jobs::LawBlock interrupted = block_of(motion::LawKind::interrupted, 4);
   interrupted.estimate.closed_form_s = 5.8;
   interrupted.estimate.duration_rev = 2.0;
   interrupted.estimate.spacing_rev = 10.0;
-  runtime::LawBlock turned = block_of(motion::LawKind::linear, 7);
+  jobs::LawBlock turned = block_of(motion::LawKind::linear, 7);
   turned.units = {.per_revolution = true, .speed = motion::LawSpeed::m_per_min};
   turned.time_is_least = true;
   program.laws = {interrupted, turned};

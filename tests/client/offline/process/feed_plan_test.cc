@@ -1,6 +1,6 @@
 // Feeds that keep a force, by the formula; their words in a program; the program on the virtual
 // part.
-#include "runtime/cutting/feed_plan.h"
+#include "jobs/cutting/feed_plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 #include "channels/contract/output.h"
 #include "client/offline/process/forecast_job.h"
-#include "runtime/cutting/force_forecast.h"
-#include "runtime/cutting/program_feeds.h"
+#include "jobs/cutting/force_forecast.h"
+#include "jobs/cutting/program_feeds.h"
 #include "runtime/simulation.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
@@ -19,11 +19,11 @@
 namespace stanok::client {
 namespace {
 
-using runtime::CutPlace;
-using runtime::ForceForecast;
-using runtime::ForecastRequest;
-using runtime::plan_feeds;
-using runtime::with_feeds;
+using jobs::CutPlace;
+using jobs::ForceForecast;
+using jobs::ForecastRequest;
+using jobs::plan_feeds;
+using jobs::with_feeds;
 
 const std::string lathe_file = stanok::testing::source_folder() + "/config/machines/lathe.toml";
 const std::string steps_program =

@@ -1,5 +1,5 @@
 // Forces along a milling program on its virtual workpiece, at cuts whose engagement is known.
-#include "runtime/cutting/milling_forecast.h"
+#include "jobs/cutting/milling_forecast.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,18 +12,18 @@
 
 #include "client/offline/process/forecast_job.h"
 #include "client/offline/process/milling_report.h"
-#include "runtime/cutting/program_text.h"
+#include "jobs/cutting/program_text.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
 
 namespace stanok::client {
 namespace {
 
-using runtime::MillingForecast;
-using runtime::MillingPlace;
-using runtime::MillingRequest;
-using runtime::ProgramText;
-using runtime::with_feeds;
+using jobs::MillingForecast;
+using jobs::MillingPlace;
+using jobs::MillingRequest;
+using jobs::ProgramText;
+using jobs::with_feeds;
 
 constexpr double pi = std::numbers::pi;
 const std::string machine_file =

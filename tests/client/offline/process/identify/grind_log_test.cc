@@ -1,6 +1,6 @@
 // A plunge cycle of the grinder of config/machines, its log, and what is found in it: stiffness and
 // force law of a hidden machine whose spring and surface are worked out here.
-#include "runtime/cutting/grind_log.h"
+#include "jobs/cutting/grind_log.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include "base/place.h"
 #include "client/offline/process/identify/grind_fit_report.h"
 #include "config/files/grinding_file.h"
-#include "runtime/cutting/found_figures.h"
+#include "jobs/cutting/found_figures.h"
 #include "runtime/log_observer.h"
 #include "runtime/simulation.h"
 #include "tests/support/project_folders.h"
@@ -22,9 +22,9 @@
 namespace stanok::client {
 namespace {
 
-using runtime::GrindLog;
-using runtime::GrindLogRequest;
-using runtime::read_grind_log;
+using jobs::GrindLog;
+using jobs::GrindLogRequest;
+using jobs::read_grind_log;
 
 const std::string grinder_file = stanok::testing::source_folder() + "/config/machines/grinder.toml";
 const std::string sheet_file =
@@ -141,7 +141,7 @@ TEST_F(GrindLogOfACycle, TellsStiffnessAndForceLaw) {
   std::ifstream text(sheet_file);
   const std::string old{std::istreambuf_iterator<char>(text), {}};
   const auto file = folder_.path() / "found.toml";
-  std::ofstream(file) << runtime::with_figures(old, *fit);
+  std::ofstream(file) << jobs::with_figures(old, *fit);
   const process::GrindingProcess found = config::read_grinding_file(file).process;
   EXPECT_NEAR(found.stiffness_n_per_m, fit->stiffness_n_per_m.value, 1.0);
   EXPECT_NEAR(found.force_factor, fit->force_factor.value, 1e-4);

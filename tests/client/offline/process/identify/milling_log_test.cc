@@ -1,6 +1,6 @@
 // A milling program with its workpiece, its log, and what is found in it: forces of a material and
 // a sensor that are worked out here from width and depth of the cuts.
-#include "runtime/cutting/milling_log.h"
+#include "jobs/cutting/milling_log.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,9 +20,9 @@
 namespace stanok::client {
 namespace {
 
-using runtime::MillingLog;
-using runtime::MillingLogRequest;
-using runtime::read_milling_log;
+using jobs::MillingLog;
+using jobs::MillingLogRequest;
+using jobs::read_milling_log;
 
 const std::string mill_file = stanok::testing::source_folder() + "/config/machines/e7106mf4.toml";
 
