@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "channels/contract/operator_event.h"
-#include "protocol/machine_request.h"
+#include "protocol/contract/machine_request.h"
 
 namespace stanok::runtime {
 

@@ -12,7 +12,7 @@
 #include "base/place.h"
 #include "channels/contract/operator_action.h"
 #include "channels/machine/machine.h"
-#include "protocol/version.h"
+#include "protocol/contract/version.h"
 #include "recording/format/channel_names.h"
 #include "recording/format/decode.h"
 #include "runtime/clock_gaps.h"

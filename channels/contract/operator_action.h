@@ -1,8 +1,8 @@
 // What there is to know about each operator action, one row each: its name, what it does to motion,
 // which channels it concerns and when it is admitted.
 //
-// The names connect the operator's command table (protocol/method_table.h) with the input layer of
-// the cycle; logs and event files use them too.
+// The names connect the operator's command table (protocol/contract/method_table.h) with the input
+// layer of the cycle; logs and event files use them too.
 #pragma once
 
 #include <optional>

@@ -1,8 +1,8 @@
 // OperatorCommand: what an operator (or a test, or a replay) asks of the machine: one struct for
 // each action, all plain data.
 //
-// Recordings and the command table (protocol/method_table.h) have commands in one form for all, the
-// number of the action and CommandFields; one function each leads there and back.
+// Recordings and the command table (protocol/contract/method_table.h) have commands in one form for
+// all, the number of the action and CommandFields; one function each leads there and back.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include "base/assert.h"
 #include "base/catalogue.h"
 #include "base/enum_names.h"
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 
 namespace stanok::client {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/place.h"
 #include "client/command_line/roff.h"
-#include "protocol/version.h"
+#include "protocol/contract/version.h"
 
 namespace stanok::client {
 namespace {

@@ -17,7 +17,7 @@
 #include "client/operator/panel_command.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
-#include "protocol/version.h"
+#include "protocol/contract/version.h"
 
 namespace {
 

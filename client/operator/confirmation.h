@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/operator/operator_commands.h"
-#include "protocol/failure.h"
+#include "protocol/contract/failure.h"
 
 namespace stanok::client {
 

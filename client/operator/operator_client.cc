@@ -14,9 +14,9 @@
 #include "base/place.h"
 #include "base/system_error.h"
 #include "client/terminal/interrupts.h"
-#include "protocol/json_rpc.h"
-#include "protocol/method_table.h"
-#include "protocol/socket_location.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/method_table.h"
+#include "protocol/contract/socket_location.h"
 
 namespace stanok::client {
 namespace {

@@ -13,8 +13,8 @@
 #include <string>
 
 #include "base/expected.h"
-#include "protocol/failure.h"
-#include "protocol/frame_reader.h"
+#include "protocol/contract/failure.h"
+#include "protocol/contract/frame_reader.h"
 
 namespace stanok::client {
 

@@ -16,7 +16,7 @@
 
 #include "base/system_error.h"
 #include "client/terminal/noun_command.h"
-#include "protocol/json_rpc.h"
+#include "protocol/contract/json_rpc.h"
 
 namespace stanok::client {
 namespace {

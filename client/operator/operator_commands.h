@@ -1,4 +1,5 @@
-// The operator's subcommands of `stanok`, made from the command table (protocol/method_table.h).
+// The operator's subcommands of `stanok`, made from the command table
+// (protocol/contract/method_table.h).
 //
 // `program.run` becomes `stanok program run PROGRAM --channel N --wait`: required parameters are
 // positional, the others options; every verb has --json, --socket and --timeout.
@@ -9,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 
 namespace stanok::client {
 

@@ -16,7 +16,7 @@
 #include "client/operator/watch_view.h"
 #include "client/terminal/interrupts.h"
 #include "client/terminal/output.h"
-#include "protocol/failure.h"
+#include "protocol/contract/failure.h"
 
 namespace stanok::client {
 namespace {

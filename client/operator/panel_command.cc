@@ -19,8 +19,8 @@
 #include "client/operator/operator_client.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
-#include "protocol/json_rpc.h"
-#include "protocol/socket_location.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/socket_location.h"
 
 namespace stanok::client {
 namespace {

@@ -13,8 +13,8 @@
 #include "client/terminal/plane_table.h"
 #include "client/terminal/screen_text.h"
 #include "client/terminal/text_table.h"
-#include "protocol/diagnostic_json.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/diagnostic_json.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::client {
 namespace {

@@ -4,7 +4,7 @@
 #include "client/operator/overview_text.h"
 #include "client/operator/result_text.h"
 #include "client/operator/run_progress.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::client {
 namespace {

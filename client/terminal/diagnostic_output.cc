@@ -4,7 +4,7 @@
 
 #include "client/terminal/output.h"
 #include "client/terminal/screen_text.h"
-#include "protocol/diagnostic_json.h"
+#include "protocol/contract/diagnostic_json.h"
 
 namespace stanok::client {
 

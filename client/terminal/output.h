@@ -8,7 +8,7 @@
 
 #include <string_view>
 
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::client {
 

@@ -9,7 +9,7 @@
 
 namespace stanok::client {
 
-// One row for each of `planes` (protocol/plane_json.h); empty without one.
+// One row for each of `planes` (protocol/contract/plane_json.h); empty without one.
 [[nodiscard]] std::string plane_table(const nlohmann::ordered_json& planes,
                                       const Terminal& terminal);
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "channels/contract/operator_event.h"
-#include "protocol/failure.h"
+#include "protocol/contract/failure.h"
 
 namespace stanok::daemon {
 

@@ -18,7 +18,7 @@
 #include "daemon/cycle/running_machine.h"
 #include "daemon/desk/tables/table_watch.h"
 #include "daemon/report/channel_notes.h"
-#include "protocol/failure.h"
+#include "protocol/contract/failure.h"
 
 namespace stanok::daemon {
 

@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::daemon {
 namespace {

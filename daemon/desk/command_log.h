@@ -8,7 +8,7 @@
 
 #include "daemon/desk/command_desk.h"
 #include "daemon/journal/journal.h"
-#include "protocol/json_rpc.h"
+#include "protocol/contract/json_rpc.h"
 
 namespace stanok::daemon {
 

@@ -14,9 +14,9 @@
 #include "daemon/report/position_report.h"
 #include "daemon/report/search_report.h"
 #include "daemon/scope/scope_desk.h"
-#include "protocol/discovery.h"
-#include "protocol/json_text.h"
-#include "protocol/version.h"
+#include "protocol/contract/discovery.h"
+#include "protocol/contract/json_text.h"
+#include "protocol/contract/version.h"
 
 namespace stanok::daemon {
 namespace {

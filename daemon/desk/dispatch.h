@@ -25,7 +25,7 @@
 #include "daemon/desk/tables/touch_desk.h"
 #include "daemon/report/measurement_notes.h"
 #include "daemon/report/status_report.h"
-#include "protocol/json_rpc.h"
+#include "protocol/contract/json_rpc.h"
 
 namespace stanok::daemon {
 

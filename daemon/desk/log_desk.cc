@@ -8,7 +8,7 @@
 #include "daemon/desk/log_folder.h"
 #include "daemon/report/status_report.h"
 #include "jobs/foresight/logged_tip.h"
-#include "protocol/geometry_bytes.h"
+#include "protocol/contract/geometry_bytes.h"
 #include "recording/read/log_contents.h"
 #include "recording/read/setpoint_walk.h"
 #include "runtime/replay.h"

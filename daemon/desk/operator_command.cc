@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocol/machine_request.h"
+#include "protocol/contract/machine_request.h"
 #include "runtime/operator_request.h"
 
 namespace stanok::daemon {

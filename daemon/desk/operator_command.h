@@ -1,7 +1,7 @@
 // A request of the command table, checked, and as the event that enters the cycle.
 //
 // The way of all commands, whether the operator server or the reception takes them: the table
-// (protocol/method_table.h) is the one place where they are defined. Any thread.
+// (protocol/contract/method_table.h) is the one place where they are defined. Any thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 #include "base/expected.h"
 #include "channels/contract/operator_event.h"
 #include "config/files/machine_file.h"
-#include "protocol/json_rpc.h"
+#include "protocol/contract/json_rpc.h"
 
 namespace stanok::daemon {
 

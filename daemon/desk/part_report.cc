@@ -6,7 +6,7 @@
 
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/report/status_report.h"
-#include "protocol/base64.h"
+#include "protocol/contract/base64.h"
 #include "simulation/offcuts.h"
 #include "simulation/picture/part_picture.h"
 #include "simulation/removed_volume.h"

@@ -4,7 +4,7 @@
 
 #include "base/enum_names.h"
 #include "daemon/report/part_json.h"
-#include "protocol/geometry_bytes.h"
+#include "protocol/contract/geometry_bytes.h"
 
 namespace stanok::daemon {
 namespace {

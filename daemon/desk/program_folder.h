@@ -13,7 +13,7 @@
 #include <string>
 
 #include "base/expected.h"
-#include "protocol/failure.h"
+#include "protocol/contract/failure.h"
 #include "runtime/program_files.h"
 
 namespace stanok::daemon {

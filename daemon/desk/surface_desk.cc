@@ -6,7 +6,7 @@
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/program_folder.h"
 #include "daemon/report/part_json.h"
-#include "protocol/geometry_bytes.h"
+#include "protocol/contract/geometry_bytes.h"
 #include "runtime/workpiece/stl_files.h"
 
 namespace stanok::daemon {

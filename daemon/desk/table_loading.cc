@@ -10,7 +10,7 @@
 #include "config/text/config_error.h"
 #include "daemon/desk/tables/entry_doubt.h"
 #include "daemon/report/inventory.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::daemon {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "daemon/host/unix_time.h"
-#include "protocol/version.h"
+#include "protocol/contract/version.h"
 
 namespace stanok::daemon {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "base/system_error.h"
 #include "daemon/host/durable_file.h"
-#include "protocol/json_rpc.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::daemon {
 namespace {

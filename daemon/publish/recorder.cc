@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/catalogue.h"
-#include "protocol/version.h"
+#include "protocol/contract/version.h"
 #include "runtime/run_setup.h"
 
 namespace stanok::daemon {

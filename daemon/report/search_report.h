@@ -9,7 +9,7 @@
 #include "channels/contract/output.h"
 #include "channels/contract/reports.h"
 #include "daemon/cycle/running_machine.h"
-#include "protocol/failure.h"
+#include "protocol/contract/failure.h"
 
 namespace stanok::daemon {
 

@@ -7,7 +7,7 @@
 #include "base/enum_names.h"
 #include "base/nearest_name.h"
 #include "base/place.h"
-#include "protocol/base64.h"
+#include "protocol/contract/base64.h"
 
 namespace stanok::daemon {
 namespace {

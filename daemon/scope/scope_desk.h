@@ -7,7 +7,7 @@
 
 #include "base/expected.h"
 #include "daemon/scope/scope.h"
-#include "protocol/failure.h"
+#include "protocol/contract/failure.h"
 
 namespace stanok::daemon {
 

@@ -14,9 +14,9 @@
 #include "daemon/desk/stop_desk.h"
 #include "daemon/server/frame_turns.h"
 #include "daemon/server/session.h"
-#include "protocol/discovery.h"
-#include "protocol/json_text.h"
-#include "protocol/version.h"
+#include "protocol/contract/discovery.h"
+#include "protocol/contract/json_text.h"
+#include "protocol/contract/version.h"
 
 namespace stanok::daemon {
 namespace {

@@ -18,7 +18,7 @@
 
 #include "daemon/desk/dispatch.h"
 #include "daemon/server/output_queue.h"
-#include "protocol/frame_reader.h"
+#include "protocol/contract/frame_reader.h"
 
 namespace stanok::daemon {
 

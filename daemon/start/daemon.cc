@@ -19,8 +19,8 @@
 #include "daemon/start/kept_state.h"
 #include "daemon/start/machine_history.h"
 #include "daemon/start/scope_feed.h"
-#include "protocol/socket_location.h"
-#include "protocol/version.h"
+#include "protocol/contract/socket_location.h"
+#include "protocol/contract/version.h"
 #include "runtime/standard_cycles.h"
 
 namespace stanok::daemon {

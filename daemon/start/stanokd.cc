@@ -8,7 +8,7 @@
 #include "base/utf8.h"
 #include "daemon/host/daemon_log.h"
 #include "daemon/start/daemon.h"
-#include "protocol/version.h"
+#include "protocol/contract/version.h"
 
 namespace {
 

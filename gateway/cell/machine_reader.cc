@@ -9,7 +9,7 @@
 
 #include "gateway/cell/topics.h"
 #include "gateway/outbox/wall_clock.h"
-#include "protocol/json_rpc.h"
+#include "protocol/contract/json_rpc.h"
 
 namespace stanok::gateway {
 namespace {
@@ -64,7 +64,7 @@ asio::awaitable<void> MachineReader::run() {
   while (true) {
     std::string ended;
     try {
-      connection_ = std::make_shared<web::MachineConnection>(executor_);
+      connection_ = std::make_shared<protocol::MachineConnection>(executor_);
       co_await follow();
     } catch (const std::exception& error) {
       ended = error.what();

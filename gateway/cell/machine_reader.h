@@ -16,7 +16,7 @@
 
 #include "gateway/cell/event_source.h"
 #include "gateway/cell/state_board.h"
-#include "web/machine/machine_connection.h"
+#include "protocol/connection/machine_connection.h"
 
 namespace stanok::gateway {
 
@@ -62,7 +62,7 @@ class MachineReader {
   double rate_hz_;
   StateBoard& board_;
   EventSource events_;
-  std::shared_ptr<web::MachineConnection> connection_;
+  std::shared_ptr<protocol::MachineConnection> connection_;
   int last_id_ = 0;
   nlohmann::json state_;     // as subscribed to
   nlohmann::json followed_;  // what of it tells of runs and alarms

@@ -1,7 +1,7 @@
 #include "gateway/cell/state_board.h"
 
 #include "gateway/outbox/wall_clock.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::gateway {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "gateway/outbox/event_kinds.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::gateway {
 namespace {

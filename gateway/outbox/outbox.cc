@@ -4,8 +4,8 @@
 #include <array>
 
 #include "gateway/outbox/wall_clock.h"
-#include "protocol/json_rpc.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::gateway {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::gateway {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "base/utf8.h"
 #include "gateway/start/gateway.h"
-#include "protocol/socket_location.h"
-#include "protocol/version.h"
+#include "protocol/contract/socket_location.h"
+#include "protocol/contract/version.h"
 
 namespace {
 

@@ -18,7 +18,7 @@
 #include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
 #include "jobs/cutting/found_figures.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 #include "python/native/bindings.h"
 
 namespace stanok::python {

@@ -3,8 +3,8 @@
 #include <exception>
 
 #include "base/catalogue.h"
-#include "protocol/diagnostic_json.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/diagnostic_json.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::python {
 namespace {

@@ -12,7 +12,7 @@
 #include "process/grinding/part_program.h"
 #include "process/grinding/plunge.h"
 #include "process/grinding/robust_design.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 #include "python/native/array_rows.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"

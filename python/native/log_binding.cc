@@ -10,7 +10,7 @@
 
 #include "client/offline/log/log_text.h"
 #include "client/offline/log/situation_text.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
 #include "python/native/setpoint_columns.h"

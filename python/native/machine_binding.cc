@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocol/json_text.h"
-#include "protocol/version.h"
+#include "protocol/contract/json_text.h"
+#include "protocol/contract/version.h"
 #include "python/native/bindings.h"
 #include "python/native/machine_handle.h"
 

@@ -7,7 +7,7 @@
 #include "client/offline/check/law_report.h"
 #include "client/offline/interpret/record_text.h"
 #include "jobs/dry_run/dry_run.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
 #include "python/native/interruption.h"

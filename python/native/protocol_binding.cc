@@ -1,9 +1,9 @@
 // The table of operator methods, for who generates python/stanok/methods.py and tests it.
 #include <nlohmann/json.hpp>
 
-#include "protocol/discovery.h"
-#include "protocol/json_text.h"
-#include "protocol/version.h"
+#include "protocol/contract/discovery.h"
+#include "protocol/contract/json_text.h"
+#include "protocol/contract/version.h"
 #include "python/native/bindings.h"
 
 namespace stanok::python {

@@ -9,8 +9,8 @@
 
 #include "client/offline/simulate/operator_events_file.h"
 #include "client/offline/simulate/sensor_file.h"
-#include "protocol/json_text.h"
-#include "protocol/version.h"
+#include "protocol/contract/json_text.h"
+#include "protocol/contract/version.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
 #include "python/native/interruption.h"

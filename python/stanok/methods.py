@@ -1,6 +1,6 @@
 """The methods of the operator protocol, a class for each noun.
 
-Written by tools/generate_python_methods.py from the table of methods (protocol/method_table.h); see
+Written by tools/generate_python_methods.py from the table of methods (protocol/contract/method_table.h); see
 docs/reference/protocol.md for the members of the results.
 """
 from __future__ import annotations

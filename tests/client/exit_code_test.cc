@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "protocol/json_rpc.h"
+#include "protocol/contract/json_rpc.h"
 #include "tests/client/fake_server.h"
 #include "tests/client/stanok_program.h"
 #include "tests/support/project_folders.h"

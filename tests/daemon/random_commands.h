@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 #include "tests/daemon/desk/accepted_parameters.h"
 
 namespace stanok::daemon {

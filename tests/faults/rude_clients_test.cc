@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "protocol/frame_reader.h"
+#include "protocol/contract/frame_reader.h"
 #include "tests/daemon/live_daemon.h"
 #include "tests/support/sanitized.h"
 

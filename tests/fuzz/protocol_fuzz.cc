@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "protocol/frame_reader.h"
-#include "protocol/json_rpc.h"
-#include "protocol/machine_request.h"
+#include "protocol/contract/frame_reader.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/machine_request.h"
 
 using namespace stanok::protocol;
 

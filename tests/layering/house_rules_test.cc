@@ -183,7 +183,7 @@ TEST(HouseRules, TextsAreMeasuredBeforeTheyAreParsed) {
   const std::regex parser(R"((toml|json)::(parse|parse_file|accept|sax_parse|from_\w+)\()");
   for (const SourceFile& file : source_files(repository)) {
     const bool measures = file.path == "config/text/fault_list.cc" ||
-                          file.path == "protocol/json_rpc.cc" ||
+                          file.path == "protocol/contract/json_rpc.cc" ||
                           file.path == "client/offline/library/record.cc";
     if (measures || file.path.starts_with("tests/")) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
@@ -193,7 +193,7 @@ TEST(HouseRules, TextsAreMeasuredBeforeTheyAreParsed) {
   }
 }
 
-// JSON becomes text in protocol/json_text.h and the words of `stanok` leave in
+// JSON becomes text in protocol/contract/json_text.h and the words of `stanok` leave in
 // client/terminal/output.cc, where bytes that are no UTF-8 are repaired. Nothing goes past them.
 TEST(HouseRules, NothingIsWrittenPastTheRepairOfTexts) {
   const std::regex dump(R"(\.dump\()");
@@ -202,7 +202,8 @@ TEST(HouseRules, NothingIsWrittenPastTheRepairOfTexts) {
     const bool is_judged = is_code_of_the_runtime(file) && file.folder != "programs";
     for (std::size_t i = 0; is_judged && i < file.lines.size(); ++i) {
       const std::string place = file.path + ":" + std::to_string(i + 1);
-      EXPECT_FALSE(file.path != "protocol/json_text.h" && std::regex_search(file.lines[i], dump))
+      EXPECT_FALSE(file.path != "protocol/contract/json_text.h" &&
+                   std::regex_search(file.lines[i], dump))
           << place << ": use protocol::json_text";
       EXPECT_FALSE(file.folder == "client" && file.path != "client/terminal/output.cc" &&
                    std::regex_search(file.lines[i], output))

@@ -119,9 +119,38 @@ TEST(Layering, TheArrowsHaveNoWayBack) {
   }
 }
 
+// Modules are in order by themselves; so are the folders that they lie in.
+Layers reach_of_folders(const Layers& arrows) {
+  const auto folder_of = [](const std::string& library) {
+    return library.substr(0, library.find('/'));
+  };
+  Layers reach;
+  for (const auto& [library, dependencies] : arrows) {
+    std::set<std::string>& into = reach[folder_of(library)];
+    for (const std::string& dependency : dependencies) into.insert(folder_of(dependency));
+    into.erase(folder_of(library));
+  }
+  for (std::size_t round = 0; round < reach.size(); ++round) {
+    for (auto& [folder, into] : reach) {
+      const std::set<std::string> direct = into;
+      for (const std::string& below : direct) into.insert(reach[below].begin(), reach[below].end());
+    }
+  }
+  return reach;
+}
+
+TEST(Layering, TheFoldersHaveNoCircle) {
+  for (const auto& [folder, into] : reach_of_folders(read_arrows(layering)))
+    EXPECT_FALSE(into.contains(folder)) << folder << " leads back to itself by " << listed(into);
+  const Layers circle = reach_of_folders(
+      {{"web/machine", {}}, {"gateway/cell", {"web/machine"}}, {"web/cell", {"gateway/cell"}}});
+  EXPECT_TRUE(circle.at("web").contains("web"));
+}
+
 // What asks a daemon over its socket may be built where no machine is known.
 TEST(Layering, TheOperatorsClientKnowsTheProtocolAndNoMachine) {
-  const std::set<std::string> known = {"base", "protocol", "client/terminal", "client/operator"};
+  const std::set<std::string> known = {"base", "protocol/contract", "client/terminal",
+                                       "client/operator"};
   EXPECT_EQ(read_layers(layering).at("client/operator"), known);
 }
 

@@ -1,4 +1,4 @@
-#include "protocol/diagnostic_json.h"
+#include "protocol/contract/diagnostic_json.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // After a change of the table write it there anew with
 //   STANOK_WRITE_DOCS=1 build/dev/tests/protocol_tests --gtest_filter='Discovery.*'
 // which writes panel/openrpc.json, too: the typed client of the panel is made from it.
-#include "protocol/discovery.h"
+#include "protocol/contract/discovery.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::protocol {

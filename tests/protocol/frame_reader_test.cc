@@ -1,5 +1,5 @@
 // Frames: lines out of a stream, however it was cut, and a bound on what is kept.
-#include "protocol/frame_reader.h"
+#include "protocol/contract/frame_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // JSON-RPC 2.0: requests, answers, and a corpus of lines that are no requests.
-#include "protocol/json_rpc.h"
+#include "protocol/contract/json_rpc.h"
 
 #include <gtest/gtest.h>
 

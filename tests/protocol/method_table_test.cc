@@ -1,5 +1,5 @@
 // The command table: well-formed rows, and every method that the interfaces promise.
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Parameters: every row of the table against values inside and outside of it.
 #include <gtest/gtest.h>
 
-#include "protocol/json_rpc.h"
-#include "protocol/machine_request.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/machine_request.h"
 
 namespace stanok::protocol {
 namespace {

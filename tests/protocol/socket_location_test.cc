@@ -1,5 +1,5 @@
 // Where sockets stand, by the variables of the XDG base directory specification.
-#include "protocol/socket_location.h"
+#include "protocol/contract/socket_location.h"
 
 #include <gtest/gtest.h>
 

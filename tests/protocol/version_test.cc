@@ -1,5 +1,5 @@
 // One version: the one of the build files is the one that programs tell.
-#include "protocol/version.h"
+#include "protocol/contract/version.h"
 
 #include <gtest/gtest.h>
 

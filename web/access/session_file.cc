@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "protocol/json_rpc.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/json_text.h"
 #include "web/access/private_file.h"
 
 namespace stanok::web {

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 #include "web/access/secret_text.h"
 
 namespace stanok::web {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 
 namespace stanok::web {
 

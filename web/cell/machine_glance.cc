@@ -6,8 +6,8 @@
 #include <boost/asio/use_awaitable.hpp>
 #include <memory>
 
-#include "protocol/json_rpc.h"
-#include "web/machine/machine_connection.h"
+#include "protocol/connection/machine_connection.h"
+#include "protocol/contract/json_rpc.h"
 
 namespace stanok::web {
 namespace {
@@ -16,7 +16,7 @@ namespace asio = boost::asio;
 using nlohmann::json;
 
 // null: no answer, or a refusal.
-asio::awaitable<json> ask(MachineConnection& connection, int id, std::string method,
+asio::awaitable<json> ask(protocol::MachineConnection& connection, int id, std::string method,
                           json parameters) {
   std::string request = protocol::request_line(id, method, parameters);
   request.pop_back();
@@ -74,7 +74,7 @@ asio::awaitable<json> MachineGlance::summary() {
 
 asio::awaitable<void> MachineGlance::look(Depth depth) {
   const auto executor = co_await asio::this_coro::executor;
-  const auto connection = std::make_shared<MachineConnection>(executor);
+  const auto connection = std::make_shared<protocol::MachineConnection>(executor);
   asio::steady_timer patience(executor, good_for);
   close_when_over(patience, connection);
   const bool is_connected = co_await connection->connect(socket_);

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::web {
 namespace {

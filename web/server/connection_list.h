@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 #include "web/server/client_connection.h"
 
 namespace stanok::web {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "protocol/json_rpc.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::web {
 namespace {

@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 
 namespace stanok::web {
 namespace {

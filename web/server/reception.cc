@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "protocol/discovery.h"
-#include "protocol/json_rpc.h"
-#include "protocol/version.h"
+#include "protocol/contract/discovery.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/version.h"
 
 namespace stanok::web {
 namespace {

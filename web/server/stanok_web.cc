@@ -8,8 +8,8 @@
 #include <exception>
 
 #include "base/utf8.h"
-#include "protocol/socket_location.h"
-#include "protocol/version.h"
+#include "protocol/contract/socket_location.h"
+#include "protocol/contract/version.h"
 #include "web/server/listen_address.h"
 #include "web/server/page_files.h"
 #include "web/server/user_commands.h"

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 #include "web/access/password.h"
 #include "web/access/user_list.h"
 #include "web/server/web_options.h"

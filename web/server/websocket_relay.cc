@@ -10,11 +10,11 @@
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <nlohmann/json.hpp>
 
-#include "protocol/discovery.h"
-#include "protocol/json_rpc.h"
-#include "protocol/json_text.h"
-#include "protocol/method_table.h"
-#include "protocol/version.h"
+#include "protocol/contract/discovery.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/json_text.h"
+#include "protocol/contract/method_table.h"
+#include "protocol/contract/version.h"
 #include "web/server/geometry_frame.h"
 
 namespace stanok::web {
@@ -291,7 +291,7 @@ asio::awaitable<void> WebSocketRelay::stop(std::shared_ptr<WebSocketRelay> self,
                                            std::string message) {
   const auto request = protocol::parse_request(message);
   const auto executor = self->stream_->get_executor();
-  const auto own = std::make_shared<MachineConnection>(executor);
+  const auto own = std::make_shared<protocol::MachineConnection>(executor);
   asio::steady_timer patience(executor, stop_answered_within);
   close_when_over(patience, own);
   const bool is_sent =

@@ -27,8 +27,8 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/connection/machine_connection.h"
 #include "web/access/sessions.h"
-#include "web/machine/machine_connection.h"
 #include "web/server/answer.h"
 #include "web/server/client_stream.h"
 
@@ -84,7 +84,7 @@ class WebSocketRelay : public std::enable_shared_from_this<WebSocketRelay> {
 
   std::shared_ptr<ClientStream> stream_;
   WebSocket websocket_;
-  MachineConnection machine_;
+  protocol::MachineConnection machine_;
   std::filesystem::path socket_;         // of the daemon
   bool has_place_ = false;               // there
   bool is_writing_ = false;              // show is under way

@@ -15,7 +15,7 @@
 #include "client/terminal/plane_table.h"
 #include "config/files/machine_file.h"
 #include "jobs/dry_run/dry_run.h"
-#include "protocol/plane_json.h"
+#include "protocol/contract/plane_json.h"
 #include "runtime/program_files.h"
 
 namespace stanok::client {

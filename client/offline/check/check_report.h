@@ -27,7 +27,7 @@ struct CheckedProgram {
                                         const Terminal& terminal);
 
 // {"files": [{"file", "blocks", "errors", "warnings", "seconds", "diagnostics", "tilted_planes"}],
-// "totals": {...}}; planes as in protocol/plane_json.h.
+// "totals": {...}}; planes as in protocol/contract/plane_json.h.
 [[nodiscard]] nlohmann::ordered_json summary_json(const std::vector<CheckedProgram>& programs);
 
 }  // namespace stanok::client

@@ -6,7 +6,7 @@
 
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/text_table.h"
-#include "protocol/plane_json.h"
+#include "protocol/contract/plane_json.h"
 
 namespace stanok::client {
 namespace {

@@ -16,7 +16,8 @@ namespace stanok::client {
 // {"diagnostics": [as `check --json`], "feed_laws": [{"file", "line", "law", "path_mm",
 // "increments", "feed_first", "feed_last", "feed_unit", "time_s", "time_is_least",
 // "closed_form_s", "cycle_s", "cycle_closed_form_s", "k_a", "k_b", "k_m"}], "tilted_planes": [as in
-// protocol/plane_json.h]}; "feed_unit" is "mm/min" or "mm/rev", fields without a value are absent.
+// protocol/contract/plane_json.h]}; "feed_unit" is "mm/min" or "mm/rev", fields without a value are
+// absent.
 [[nodiscard]] nlohmann::ordered_json estimate_json(const std::vector<CheckedProgram>& programs);
 
 }  // namespace stanok::client

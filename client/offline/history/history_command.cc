@@ -15,7 +15,7 @@
 #include "gateway/history/answers.h"
 #include "gateway/history/queries.h"
 #include "gateway/outbox/wall_clock.h"
-#include "protocol/socket_location.h"
+#include "protocol/contract/socket_location.h"
 
 namespace stanok::client {
 namespace {

@@ -15,7 +15,7 @@
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
 #include "client/terminal/text_table.h"
-#include "protocol/json_text.h"
+#include "protocol/contract/json_text.h"
 #include "recording/plot/log_plot.h"
 #include "recording/read/log_contents.h"
 #include "recording/read/log_export.h"

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "protocol/json_rpc.h"
-#include "protocol/machine_request.h"
+#include "protocol/contract/json_rpc.h"
+#include "protocol/contract/machine_request.h"
 #include "runtime/operator_request.h"
 
 namespace stanok::client {

@@ -26,7 +26,7 @@
 #include "client/terminal/output.h"
 #include "client/terminal/progress_line.h"
 #include "config/files/machine_file.h"
-#include "protocol/version.h"
+#include "protocol/contract/version.h"
 #include "runtime/log_observer.h"
 #include "runtime/simulation.h"
 #include "runtime/trace_writer.h"

@@ -11,7 +11,7 @@
 
 #include "channels/contract/operator_event.h"
 #include "daemon/cycle/running_machine.h"
-#include "protocol/failure.h"
+#include "protocol/contract/failure.h"
 
 namespace stanok::daemon {
 

@@ -22,7 +22,7 @@ class TouchDesk {
   // Both outlive the desk.
   TouchDesk(RunningMachine& machine, CommandDesk& desk) : machine_(machine), desk_(desk) {}
 
-  // Parameters as their rows in protocol/methods_of_tables.cc.
+  // Parameters as their rows in protocol/contract/methods_of_tables.cc.
   void touch_offset(const nlohmann::json& parameters, int channel, Answer answer);
   void touch_tool(const nlohmann::json& parameters, int channel, Answer answer);
   // Gives the value of before back, where nobody has changed it since.

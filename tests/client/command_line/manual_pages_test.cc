@@ -12,7 +12,7 @@
 #include "client/command_line/offline.h"
 #include "client/command_line/roff.h"
 #include "client/operator/operator_commands.h"
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 #include "tests/support/project_folders.h"
 
 namespace stanok::client {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "protocol/method_table.h"
+#include "protocol/contract/method_table.h"
 
 namespace stanok::daemon {
 

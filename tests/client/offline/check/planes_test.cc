@@ -3,7 +3,7 @@
 
 #include "client/offline/check/check_record.h"
 #include "client/terminal/plane_table.h"
-#include "protocol/plane_json.h"
+#include "protocol/contract/plane_json.h"
 
 namespace stanok::client {
 namespace {

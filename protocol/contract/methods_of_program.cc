@@ -1,0 +1,206 @@
+// Rows of the command table: programs and overrides.
+#include <array>
+
+#include "protocol/contract/method_rows.h"
+
+namespace stanok::protocol::rows {
+namespace {
+
+constexpr Parameter program = required_text("program", "program file beneath the program root");
+
+constexpr Parameter search_target =
+    required_text("target", "line, 120, or block number, N40; of another file: sub.nc:120");
+
+constexpr Parameter search_pass{.name = "pass",
+                                .type = ParameterType::integer,
+                                .carries = Carries::value,
+                                .minimum = 1,
+                                .maximum = 1e6,
+                                .help = "which pass of a loop; default 1"};
+
+constexpr auto calculations = std::to_array<std::string_view>({"with", "without"});
+
+constexpr Parameter search_calculation{
+    .name = "calculation",
+    .type = ParameterType::choice,
+    .carries = Carries::number,
+    .choices = calculations,
+    .help =
+        "with (default): in the state that the blocks before it would leave; without: in the "
+        "default state"};
+
+constexpr Parameter skip_level{.name = "level",
+                               .type = ParameterType::integer,
+                               .presence = Presence::required,
+                               .spelling = Spelling::positional,
+                               .carries = Carries::number,
+                               .minimum = 1,
+                               .maximum = 9,
+                               .help = "level of block skip: 1 for /, 2 to 9 for /2 to /9"};
+
+constexpr Parameter percent(double minimum, double maximum) {
+  return {.name = "percent",
+          .type = ParameterType::number,
+          .presence = Presence::required,
+          .spelling = Spelling::positional,
+          .carries = Carries::fraction_of_percent,
+          .unit = "%",
+          .minimum = minimum,
+          .maximum = maximum,
+          .help = "percent of the programmed value"};
+}
+
+constexpr std::array of_program{program, channel, wait};
+constexpr std::array of_run{program, channel, wait, seen_cycle};
+constexpr Parameter approach{.name = "approach",
+                             .type = ParameterType::integer,
+                             .minimum = 1,
+                             .maximum = 4294967295.0,
+                             .help = "number of the approach that the block search told"};
+constexpr Parameter restore{.name = "restore",
+                            .type = ParameterType::integer,
+                            .spelling = Spelling::flag,
+                            .minimum = 0,
+                            .maximum = 1,
+                            .help =
+                                "1: change tool, spindle and coolant at the height of the "
+                                "approach to what the block needs"};
+
+constexpr std::array of_start{channel, wait, approach, restore, seen_situation, seen_cycle};
+constexpr std::array of_switch{on_or_off, channel};
+constexpr std::array of_skip{skip_level, channel};
+constexpr std::array of_search{search_target, search_pass, search_calculation, channel};
+constexpr std::array of_feed{percent(0, 200), channel, seen_cycle};
+constexpr std::array of_rapid{percent(0, 100), channel, seen_cycle};
+constexpr std::array of_spindle{percent(50, 150), channel};
+
+constexpr auto program_rows = std::to_array<Method>({
+    {.name = "program.load",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .course = Course::reads_program,
+     .action = "program_load",
+     .parameters = of_program,
+     .help = "compile a program; errors come with file, line and column"},
+    {.name = "program.run",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .course = Course::reads_program,
+     .action = "program_run",
+     .parameters = of_run,
+     .help = "load a program and start it",
+     .result = R"("$end of run")"},
+    {.name = "program.start",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .action = "program_start",
+     .parameters = of_start,
+     .help = "start the loaded program; continue it when held",
+     .result = R"("$end of run")"},
+    {.name = "program.hold",
+     .role = machine_operator,
+     .effect = Effect::stops,
+     .reach = Reach::every_channel,
+     .action = "program_hold",
+     .parameters = of_channel,
+     .help = "feed hold: come to rest along the path"},
+    {.name = "program.resume",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .action = "program_resume",
+     .parameters = of_motion,
+     .help = "continue after a feed hold"},
+    {.name = "program.stop",
+     .role = machine_operator,
+     .effect = Effect::stops,
+     .reach = Reach::every_channel,
+     .action = "program_stop",
+     .parameters = of_channel,
+     .help = "hold, then end the program without an alarm"},
+    {.name = "program.reset",
+     .role = machine_operator,
+     .effect = Effect::stops,
+     .reach = Reach::every_channel,
+     .action = "program_reset",
+     .parameters = of_channel,
+     .help = "end the program and clear the alarms of the channel"},
+    {.name = "program.optional_stop",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "optional_stop",
+     .parameters = of_switch,
+     .help = "optional stop: whether M1 stops the program"},
+    {.name = "program.step",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "single_block",
+     .parameters = of_switch,
+     .help = "single block: stop after each block; program start lets the next one begin"},
+    {.name = "program.skip",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "block_skip",
+     .parameters = of_skip,
+     .help = "skip the blocks of a level from the next sync point on"},
+    {.name = "program.unskip",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "block_skip_off",
+     .parameters = of_skip,
+     .help = "execute the blocks of a level again"},
+    {.name = "program.list",
+     .help =
+         "program files beneath the program root, with the times (Unix) of their last change, and "
+         "of the last check and run since the daemon started",
+     .result = R"({"root":"string","programs":[{"name":"string","bytes":"integer",
+      "changed_s":"number","checked_s":"number?","check_ok":"boolean?","ran_s":"number?",
+      "run_ok":"boolean?"}],
+      "complete":"boolean"})"},
+    {.name = "program.history",
+     .parameters = of_channel,
+     .help = "program runs, with times and how they ended, the newest 500 of each channel; cycles "
+             "are those of this start of the daemon",
+     .result = R"({"runs":[{"channel":"integer","number":"integer","program":"string",
+      "begun_cycle":"integer?","ended_cycle":"integer?","begun_at":"number?","ended_at":"number?","end":"string?",
+      "blocks":"integer","time_s":"number","path_mm":"number",
+      "ended":"boolean","ok":"boolean"}],"forgotten?":"integer"})"},
+    {.name = "program.search",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .course = Course::reads_program,
+     .action = "program_search",
+     .parameters = of_search,
+     .help = "block search: the loaded program begins at this block when it is started; answers "
+             "what lies before it",
+     .result = R"({"target":"string","calculated":"boolean",
+      "approach?":{"number":"integer","changes":["string"],
+                   "moves":[{"kind":"string","to":"$numbers","length_mm":"number",
+                             "feed_mm_min":"number?"}]}})"},
+
+    {.name = "override.feed",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "override_feed",
+     .parameters = of_feed,
+     .help = "feed override of a channel"},
+    {.name = "override.rapid",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "override_rapid",
+     .parameters = of_rapid,
+     .help = "rapid override of a channel"},
+    {.name = "override.spindle",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "override_spindle",
+     .parameters = of_spindle,
+     .help = "spindle override of a channel"},
+});
+
+}  // namespace
+
+std::span<const Method> program_methods() {
+  return program_rows;
+}
+
+}  // namespace stanok::protocol::rows
