@@ -4,6 +4,7 @@
 #include <cctype>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "base/catalogue.h"
 #include "base/enum_names.h"
@@ -42,16 +43,31 @@ json row_json(const CatalogueRow& row) {
           {"go_on", row.go_on}};
 }
 
+// The row of a code; those of a number without its letter.
+std::vector<const CatalogueRow*> rows_of(const std::string& code) {
+  if (const CatalogueRow* const row = find_in_catalogue(upper(code))) return {row};
+  std::vector<const CatalogueRow*> rows;
+  for (const CatalogueRow& row : catalogue()) {
+    if (row.code.substr(1) == code) rows.push_back(&row);
+  }
+  return rows;
+}
+
 int explain(const ExplainOptions& options) {
-  const CatalogueRow* row = find_in_catalogue(upper(options.code));
-  if (row == nullptr) {
-    write_message("there is no code " + options.code + "\n");
+  const auto rows = rows_of(options.code);
+  if (rows.empty()) {
+    write_message("there is no code " + options.code +
+                  "; docs/reference/alarms.md lists all of them\n");
     return 1;
   }
-  if (options.json) {
-    write_json(row_json(*row));
+  if (options.json && rows.size() == 1) {
+    write_json(row_json(*rows.front()));
+  } else if (options.json) {
+    json list = json::array();
+    for (const CatalogueRow* row : rows) list.push_back(row_json(*row));
+    write_json(list);
   } else {
-    write_data(explanation(options.code));
+    for (const CatalogueRow* row : rows) write_data(explanation(std::string(row->code)));
   }
   return 0;
 }
@@ -70,7 +86,8 @@ std::string explanation(std::string code) {
 void add_explain_command(CLI::App& app, int& exit_code) {
   const auto options = std::make_shared<ExplainOptions>();
   CLI::App* command = app.add_subcommand("explain", "tell what a code means and what to do");
-  command->add_option("CODE", options->code, "code of the catalogue, as E7001")->required();
+  command->add_option("CODE", options->code, "code of the catalogue, as E7001, or its number")
+      ->required();
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &exit_code] { exit_code = explain(*options); });
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "client/command_line/command_suggestion.h"
+#include "client/command_line/command_fault.h"
 #include "client/command_line/offline.h"
 #include "client/operator/operator_client.h"
 #include "client/operator/operator_commands.h"
@@ -27,10 +27,13 @@ int tell(const CLI::App& app, const CLI::ParseError& error, std::span<char*> arg
   std::ostringstream message;
   const int code = app.exit(error, data, message);
   stanok::client::write_data(data.str());
-  stanok::client::write_message(message.str());
-  if (code == 0) return 0;
+  if (code == 0) {
+    stanok::client::write_message(message.str());
+    return 0;
+  }
   const std::vector<std::string> words(arguments.begin() + 1, arguments.end());
-  stanok::client::write_message(stanok::client::command_suggestion(app, words));
+  const std::string fault = stanok::client::command_fault(app, words);
+  stanok::client::write_message(fault.empty() ? message.str() : fault);
   return stanok::client::exit_usage;
 }
 

@@ -39,6 +39,8 @@ TEST(ExitCode, IsZeroWhenItWasDone) {
   EXPECT_EQ(exit_code_after(protocol::answer_line(1, {{"accepted", true}})), 0);
   EXPECT_EQ(exit_code_of("--version"), 0);
   EXPECT_EQ(exit_code_of("explain E6006"), 0);
+  EXPECT_EQ(exit_code_of("explain 6006"), 0);
+  EXPECT_EQ(exit_code_of("explain 60066"), 1);
 }
 
 // The daemon has answered, and the answer is that the program is wrong.

@@ -1,12 +1,13 @@
 // Command line to method: every row of the table is reachable, values arrive checked.
 #include "client/operator/operator_commands.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <optional>
 
-#include "client/command_line/command_suggestion.h"
+#include "client/command_line/command_fault.h"
 #include "client/command_line/offline.h"
 #include "client/terminal/noun_command.h"
 #include "tests/support/project_folders.h"
@@ -16,6 +17,8 @@ namespace {
 
 using nlohmann::json;
 using protocol::Method;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 // The call that a command line leads to; nothing when it is not understood.
 std::optional<OperatorCall> call_for(const std::string& line) {
@@ -172,27 +175,36 @@ TEST(CommandLine, StopsAndResetsAllChannels) {
   EXPECT_FALSE(call_for("program start --all"));
 }
 
-struct MisspeltCase {
+struct WrongCommand {
   std::vector<std::string> words;
-  const char* suggestion;
+  const char* told;  // "": the words name a command
 };
 
-TEST(CommandSuggestion, NamesTheNearestCommand) {
+TEST(CommandFault, NamesTheNearestCommandOrThoseThereAre) {
   CLI::App app;
   int exit_code = 0;
   add_operator_commands(app, [](const OperatorCall&) {});
   add_offline_commands(app, exit_code);
-  for (const MisspeltCase& given : {
-           MisspeltCase{{"chek", "part.nc"}, "did you mean `stanok check`?\n"},
-           MisspeltCase{{"--socket", "/x", "Program", "rum"}, "did you mean `stanok program`?\n"},
-           MisspeltCase{{"program", "rnu", "a.nc"}, "did you mean `stanok program run`?\n"},
-           MisspeltCase{{"program", "run"}, ""},
-           MisspeltCase{{"check", "chek"}, ""},
-           MisspeltCase{{"zzzzzzzzz"}, ""},
-           MisspeltCase{{}, ""},
+  constexpr const char* listed = "`stanok --help` lists the commands\n";
+  for (const WrongCommand& given : {
+           WrongCommand{{"chek", "part.nc"},
+                        "there is no command `stanok chek`; did you mean `stanok check`?\n"
+                        "`stanok --help` lists the commands\n"},
+           WrongCommand{{"--socket", "/x", "Program", "rum"},
+                        "there is no command `stanok Program`; did you mean `stanok program`?\n"
+                        "`stanok --help` lists the commands\n"},
+           WrongCommand{{"program", "rnu", "a.nc"},
+                        "there is no command `stanok program rnu`; did you mean `stanok program "
+                        "run`?\n`stanok program --help` lists the commands\n"},
+           WrongCommand{{"cache"}, "`stanok cache` needs one of its commands: "},
+           WrongCommand{{"zzzzzzzzz"}, "there is no command `stanok zzzzzzzzz`\n"},
        }) {
-    EXPECT_EQ(command_suggestion(app, given.words), given.suggestion);
+    EXPECT_THAT(command_fault(app, given.words), StartsWith(given.told));
   }
+  EXPECT_THAT(command_fault(app, std::vector<std::string>{"zzzzzzzzz"}), HasSubstr(listed));
+  EXPECT_EQ(command_fault(app, std::vector<std::string>{"program", "run"}), "");
+  EXPECT_EQ(command_fault(app, std::vector<std::string>{"check", "chek"}), "");
+  EXPECT_THAT(command_fault(app, {}), StartsWith("`stanok` needs one of its commands: "));
 }
 
 TEST(NounCommand, IsSharedByOperatorAndOffLineCommands) {
