@@ -53,7 +53,8 @@ bool TapTrial::succeeds_at(double rev_per_min) const {
   return true;
 }
 
-// By halving: what goes at a speed goes at a lower one.
+// By halving, as if what goes at a speed went at every lower one; the speed that is returned was
+// tried.
 double TapTrial::fastest_below(double rev_per_min) const {
   constexpr double near_enough = 1.02;
   constexpr double slowest = 1.0;
@@ -61,7 +62,8 @@ double TapTrial::fastest_below(double rev_per_min) const {
   double goes = slowest;
   double fails = rev_per_min;
   while (fails > near_enough * goes) {
-    const double between = std::sqrt(goes * fails);
+    const double between = std::floor(std::sqrt(goes * fails));
+    if (between <= goes) break;
     (succeeds_at(between) ? goes : fails) = between;
   }
   return goes;
