@@ -5,6 +5,7 @@
 #include "config/files/grinding_file.h"
 #include "config/text/config_error.h"
 #include "daemon/desk/program_desk.h"
+#include "jobs/grinding/grinding_samples.h"
 #include "process/grinding/control_file.h"
 #include "process/grinding/cycle_design.h"
 
@@ -35,18 +36,9 @@ json findings_json(const process::Findings& findings) {
   return list;
 }
 
-// Time, X, allowance left H, feed, removal Q, and Q over its boundary D(H).
 json samples_json(const DesignRequest& request, const process::PlungeRun& run) {
-  const process::Boundary boundary(request.process);
-  const std::size_t stride = 1 + run.samples.size() / samples_max;
-  json rows = json::array();
-  for (std::size_t k = 0; k < run.samples.size(); k += stride) {
-    const process::PlungeSample& sample = run.samples[k];
-    rows.push_back({sample.time_s, sample.x_mm, sample.allowance_mm, sample.feed_mm_per_s,
-                    sample.removal_mm2_per_rad,
-                    sample.removal_mm2_per_rad / boundary.at(sample.allowance_mm)});
-  }
-  return rows;
+  return jobs::thinned(jobs::grinding_samples(request.process, run), samples_max,
+                       jobs::grinding_overview());
 }
 
 json boundary_json(const DesignRequest& request) {

@@ -192,6 +192,8 @@ class ForecastRun {
       place.force_n = model_.force_n(cuts[k].depth_mm, cuts[k].factor, place.feed);
       place.power_w = place.force_n * 2.0 * std::numbers::pi * turns_per_s * std::abs(place.x_mm) *
                       m_per_mm / cutting_.efficiency;
+      if (request_.stiffness_n_per_um > 0.0)
+        place.deflection_um = place.force_n / request_.stiffness_n_per_um;
     }
   }
 

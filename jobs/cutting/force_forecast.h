@@ -20,6 +20,8 @@ struct ForecastRequest {
   double force_n = 0.0;
   double feed_min = 0.0;  // mm per turn; 0: a twentieth of the programmed feed
   double feed_max = 0.0;  // 0: the programmed feed
+  // Of tool and part across the cut; 0: it is not known, and there is no deflection.
+  double stiffness_n_per_um = 0.0;
 };
 
 // A place of the path.
@@ -34,7 +36,8 @@ struct ForcePlace {
   double force_programmed_n = 0.0;
   double feed = 0.0;  // planned
   double force_n = 0.0;
-  double power_w = 0.0;  // of the planned cut, at the spindle
+  double power_w = 0.0;        // of the planned cut, at the spindle
+  double deflection_um = 0.0;  // under the planned force
 };
 
 struct ForceForecast {

@@ -349,10 +349,13 @@ constexpr auto process_rows = std::to_array<Method>({
     {.name = "process.figures",
      .course = Course::reads_program,
      .parameters = of_figures,
-     .help = "figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; "
-             "power is time s, as recorded W, as fitted W; text is what to write into a file",
+     .help =
+         "figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; "
+         "si is the same in SI units; power is time s, as recorded W, as fitted W; text is what "
+         "to write into a file",
      .result = R"({"file":"string","kind":"string","figures":[{"name":"string",
-      "value":"number","low":"number","high":"number"}],"noise":"number","residual_w":"number",
+      "value":"number","low":"number","high":"number","si":{"name":"string","value":"number",
+      "low":"number","high":"number"}}],"noise":"number","residual_w":"number",
       "readings":"integer","power":[["number"]],"text":"string"})"},
     {.name = "process.forces",
      .course = Course::reads_program,

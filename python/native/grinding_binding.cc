@@ -8,6 +8,7 @@
 #include "client/offline/grind/grind_input.h"
 #include "client/offline/grind/grind_report.h"
 #include "client/offline/grind/grind_study.h"
+#include "jobs/grinding/grinding_samples.h"
 #include "process/grinding/boundary.h"
 #include "process/grinding/part_program.h"
 #include "process/grinding/plunge.h"
@@ -27,7 +28,6 @@ using client::GrindOptions;
 using nlohmann::ordered_json;
 using process::CycleDesign;
 using process::InfeedLaw;
-using process::PlungeSample;
 
 // Thrown through what computes, when the interpreter was interrupted.
 struct Interrupted {};
@@ -44,21 +44,14 @@ GrindInput value_or_raise(Expected<GrindInput, Diagnostics> input) {
   raise("GrindingError", faults);
 }
 
-py::array_t<double> column(const std::vector<PlungeSample>& samples, double PlungeSample::* field) {
-  py::array_t<double> array(static_cast<py::ssize_t>(samples.size()));
-  double* next = array.mutable_data();
-  for (const PlungeSample& sample : samples) *next++ = sample.*field;
-  return array;
-}
-
-py::dict samples_of(const std::vector<PlungeSample>& samples) {
+py::dict samples_of(const process::GrindingProcess& process, const process::PlungeRun& run) {
+  const std::vector<jobs::GrindingSample> samples = jobs::grinding_samples(process, run);
   py::dict arrays;
-  arrays["time_s"] = column(samples, &PlungeSample::time_s);
-  arrays["x_mm"] = column(samples, &PlungeSample::x_mm);
-  arrays["allowance_mm"] = column(samples, &PlungeSample::allowance_mm);
-  arrays["feed_mm_per_s"] = column(samples, &PlungeSample::feed_mm_per_s);
-  arrays["removal_mm2_per_rad"] = column(samples, &PlungeSample::removal_mm2_per_rad);
-  arrays["deflection_mm"] = column(samples, &PlungeSample::deflection_mm);
+  for (const auto& column : jobs::grinding_columns()) {
+    py::array_t<double> array(static_cast<py::ssize_t>(samples.size()));
+    std::ranges::transform(samples, array.mutable_data(), column.value);
+    arrays[py::str(std::string(column.name))] = std::move(array);
+  }
   return arrays;
 }
 
@@ -88,7 +81,7 @@ py::tuple report_of(const GrindInput& input, const process::RobustDesign& robust
   file.law = robust.design.law;
   ordered_json json = client::to_json(report);
   return py::make_tuple(py::str(protocol::json_text(json)),
-                        samples_of(robust.design.verification.run.samples),
+                        samples_of(input.request.process, robust.design.verification.run),
                         py::str(process::control_text(file)));
 }
 
@@ -196,7 +189,7 @@ py::tuple plunge(const GrindOptions& options, const Matrix& rows,
                        {"contact_losses", run.contact_losses},
                        {"force_max_n", run.force_max_n}};
   if (run.size_reached_s) json["size_reached_s"] = *run.size_reached_s;
-  return py::make_tuple(py::str(protocol::json_text(json)), samples_of(run.samples));
+  return py::make_tuple(py::str(protocol::json_text(json)), samples_of(input.request.process, run));
 }
 
 // D(H), mm2/rad.

@@ -40,6 +40,8 @@ class Samples:
     """mm/s, commanded."""
     removal_mm2_per_rad: Floats
     """mm²/rad, Q."""
+    removal_ratio: Floats
+    """Q over its boundary D(H): above 1 the part burns."""
     deflection_mm: Floats
     """mm, by which the wheel gives way."""
 

@@ -98,4 +98,13 @@ std::string number(double value) {
   return {digits.data(), end};
 }
 
+std::string data_block(const std::string& name, const std::vector<std::vector<double>>& rows) {
+  std::string text = "$" + name + " << END\n";
+  for (const std::vector<double>& row : rows) {
+    for (const double value : row) text += number(value) + " ";
+    text += "\n";
+  }
+  return text + "END\n";
+}
+
 }  // namespace stanok::recording

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "recording/log/log_writer.h"
 
@@ -21,5 +22,9 @@ namespace stanok::recording {
 [[nodiscard]] std::string gnuplot_text(std::string_view text);
 // Nine significant digits, the same in every locale.
 [[nodiscard]] std::string number(double value);
+
+// "$name << END ... END", from which a script plots: a line for each row.
+[[nodiscard]] std::string data_block(const std::string& name,
+                                     const std::vector<std::vector<double>>& rows);
 
 }  // namespace stanok::recording

@@ -4,6 +4,7 @@
 #include <ranges>
 #include <stdexcept>
 
+#include "jobs/grinding/grinding_samples.h"
 #include "recording/plot/gnuplot.h"
 
 namespace stanok::client {
@@ -11,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using process::Boundary;
-using process::PlungeSample;
 using recording::gnuplot_text;
 using recording::number;
 
@@ -42,22 +42,10 @@ std::string boundary_block(const process::DesignRequest& request) {
   return text + "END\n";
 }
 
-// Columns: time, X, H, feed, Q, Q/D.
 std::string run_block(const std::string& name, const process::GrindingProcess& process,
                       const process::PlungeRun& run) {
-  const Boundary boundary(process);
-  const std::size_t stride = 1 + run.samples.size() / points_max;
-  std::string text = name + " << END\n";
-  for (std::size_t k = 0; k < run.samples.size(); k += stride) {
-    const PlungeSample& s = run.samples[k];
-    for (const double value :
-         {s.time_s, s.x_mm, s.allowance_mm, s.feed_mm_per_s, s.removal_mm2_per_rad,
-          s.removal_mm2_per_rad / boundary.at(s.allowance_mm)}) {
-      text += number(value) + " ";
-    }
-    text += "\n";
-  }
-  return text + "END\n";
+  return recording::data_block(name, jobs::thinned(jobs::grinding_samples(process, run), points_max,
+                                                   jobs::grinding_overview()));
 }
 
 std::string look() {
@@ -128,7 +116,7 @@ std::string picture_script(const GrindPicture& picture, const fs::path& file) {
     return law_block(name, process, rows, run.samples.back().x_mm - shown_beyond_mm);
   };
   std::string text = boundary_block(picture.request) + law("$law", picture.law, picture.run) +
-                     run_block("$run", process, picture.run);
+                     run_block("run", process, picture.run);
   if (picture.optimum != nullptr) {
     text += law("$continuous", picture.optimum->law, picture.optimum->run);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "jobs/cutting/cut_columns.h"
 #include "recording/plot/gnuplot.h"
 
 namespace stanok::client {
@@ -25,27 +26,12 @@ const MillingPlace* greatest(const MillingForecast& forecast, double MillingPlac
   return found == forecast.places.end() ? nullptr : &*found;
 }
 
-double value(const MillingForecast& forecast, double MillingPlace::* quantity) {
-  const MillingPlace* const place = greatest(forecast, quantity);
-  return place == nullptr ? 0.0 : place->*quantity;
-}
-
-// A span of shown places is told by the one that has its greatest force.
 std::string rows_of_picture(const MillingForecast& forecast) {
-  const std::size_t span = 1 + forecast.places.size() / shown_places_max;
-  std::string text = "$places << END\n";
-  for (std::size_t begin = 0; begin < forecast.places.size(); begin += span) {
-    const MillingPlace* shown = &forecast.places[begin];
-    const std::size_t end = std::min(begin + span, forecast.places.size());
-    for (std::size_t k = begin; k < end; ++k)
-      if (forecast.places[k].force_peak_n > shown->force_peak_n) shown = &forecast.places[k];
-    for (const double of_row :
-         {shown->path_mm, shown->x_mm, shown->y_mm, shown->force_peak_n, shown->force_planned_n,
-          shown->feed_programmed, shown->feed_planned, shown->power_w, shown->deflection_um})
-      text += number(of_row) + " ";
-    text += "\n";
-  }
-  return text + "END\n";
+  const auto columns =
+      jobs::columns_named(jobs::milling_columns(),
+                          {"path_mm", "x_mm", "y_mm", "force_programmed_n", "force_n",
+                           "feed_programmed_mm_min", "feed_mm_min", "power_w", "deflection_um"});
+  return recording::data_block("places", jobs::thinned(forecast.places, shown_places_max, columns));
 }
 
 }  // namespace
@@ -58,11 +44,12 @@ std::string to_text(const MillingForecast& forecast) {
       peak->force_peak_n, peak->line, peak->x_mm, peak->y_mm, peak->z_mm,
       forecast.time_programmed_s);
   text += fmt::format("               {:.1f} W and {:.1f} um of deflection at most\n",
-                      value(forecast, &MillingPlace::power_w),
-                      value(forecast, &MillingPlace::deflection_um));
+                      jobs::greatest(forecast.places, &MillingPlace::power_w),
+                      jobs::greatest(forecast.places, &MillingPlace::deflection_um));
   if (!forecast.lines.empty()) {
     text += fmt::format("planned        {:.1f} N at most, {:.2f} s at feed\n",
-                        value(forecast, &MillingPlace::force_planned_n), forecast.time_s);
+                        jobs::greatest(forecast.places, &MillingPlace::force_planned_n),
+                        forecast.time_s);
   }
   return text;
 }
@@ -70,31 +57,15 @@ std::string to_text(const MillingForecast& forecast) {
 nlohmann::ordered_json to_json(const MillingForecast& forecast) {
   const MillingPlace* const peak = greatest(forecast, &MillingPlace::force_peak_n);
   nlohmann::ordered_json json{
-      {"force_programmed_max_n", value(forecast, &MillingPlace::force_peak_n)},
-      {"force_max_n", value(forecast, &MillingPlace::force_planned_n)},
-      {"power_max_w", value(forecast, &MillingPlace::power_w)},
-      {"deflection_max_um", value(forecast, &MillingPlace::deflection_um)},
+      {"force_programmed_max_n", jobs::greatest(forecast.places, &MillingPlace::force_peak_n)},
+      {"force_max_n", jobs::greatest(forecast.places, &MillingPlace::force_planned_n)},
+      {"power_max_w", jobs::greatest(forecast.places, &MillingPlace::power_w)},
+      {"deflection_max_um", jobs::greatest(forecast.places, &MillingPlace::deflection_um)},
       {"time_programmed_s", forecast.time_programmed_s},
       {"time_s", forecast.time_s},
       {"blocks", forecast.lines.size()}};
   if (peak != nullptr) json["force_programmed_max_line"] = peak->line;
   return json;
-}
-
-std::string to_csv(const MillingForecast& forecast) {
-  std::string text =
-      "line,path_mm,x_mm,y_mm,z_mm,rev_per_min,feed_programmed,feed_run,area_mm2,force_mean_n,"
-      "force_peak_n,power_w,deflection_um,feed_planned,force_planned_n\n";
-  for (const MillingPlace& place : forecast.places) {
-    text += fmt::format(
-        "{},{:.3f},{:.4f},{:.4f},{:.4f},{:.0f},{:.1f},{:.1f},{:.4f},{:.1f},{:.1f},{:.1f},{:.2f},"
-        "{:.1f},{:.1f}\n",
-        place.line, place.path_mm, place.x_mm, place.y_mm, place.z_mm, place.rev_per_min,
-        place.feed_programmed, place.feed_run, place.area_mm2, place.force_mean_n,
-        place.force_peak_n, place.power_w, place.deflection_um, place.feed_planned,
-        place.force_planned_n);
-  }
-  return text;
 }
 
 std::string picture_script(const MillingForecast& forecast, const std::filesystem::path& file) {

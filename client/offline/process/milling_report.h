@@ -1,4 +1,4 @@
-// What is told of the forces along a milling program: text, JSON, CSV, a picture over the path.
+// What is told of the forces along a milling program: text, JSON, a picture over the path.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,6 @@ namespace stanok::client {
 
 [[nodiscard]] std::string to_text(const jobs::MillingForecast& forecast);
 [[nodiscard]] nlohmann::ordered_json to_json(const jobs::MillingForecast& forecast);
-[[nodiscard]] std::string to_csv(const jobs::MillingForecast& forecast);
 
 // Force, feed, power and deflection along the path, and the force on the path as it lies in X and
 // Y.

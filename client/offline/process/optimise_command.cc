@@ -12,7 +12,7 @@
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"
 #include "config/files/chatter_file.h"
-#include "jobs/cutting/force_forecast.h"
+#include "jobs/cutting/cut_columns.h"
 #include "recording/plot/gnuplot.h"
 
 namespace stanok::client {
@@ -41,41 +41,17 @@ struct OptimiseOptions {
   std::string picture;
 };
 
-// Of a force at this stiffness; 0: it is not known.
-double deflection_um(double force_n, double stiffness_n_per_um) {
-  return stiffness_n_per_um > 0.0 ? force_n / stiffness_n_per_um : 0.0;
-}
-
-std::string forces_csv(const ForceForecast& forecast, double stiffness_n_per_um) {
-  std::string text =
-      "line,path_mm,x_mm,z_mm,depth_mm,feed_programmed_mm,force_programmed_n,feed_mm,force_n,"
-      "power_w,deflection_um\n";
-  for (const ForcePlace& place : forecast.places) {
-    text +=
-        fmt::format("{},{:.3f},{:.4f},{:.4f},{:.4f},{:.4f},{:.1f},{:.4f},{:.1f},{:.1f},{:.2f}\n",
-                    place.line, place.path_mm, place.x_mm, place.z_mm, place.depth_mm,
-                    place.feed_programmed, place.force_programmed_n, place.feed, place.force_n,
-                    place.power_w, deflection_um(place.force_n, stiffness_n_per_um));
-  }
-  return text;
-}
-
 // Path, depth, power, forces and feeds before and after.
 std::string forces_script(const ForceForecast& forecast, double stiffness_n_per_um,
                           const std::filesystem::path& file) {
-  using recording::number;
   constexpr std::size_t shown_max = 4000;
-  const std::size_t stride = 1 + forecast.places.size() / shown_max;
-  std::string text = "$places << END\n";
-  for (std::size_t k = 0; k < forecast.places.size(); k += stride) {
-    const ForcePlace& place = forecast.places[k];
-    for (const double value : {place.path_mm, place.force_programmed_n, place.force_n,
-                               place.feed_programmed, place.feed, place.depth_mm, place.power_w})
-      text += number(value) + " ";
-    text += "\n";
-  }
+  const auto columns = jobs::columns_named(
+      jobs::turning_columns(), {"path_mm", "force_programmed_n", "force_n", "feed_programmed_mm",
+                                "feed_mm", "depth_mm", "power_w"});
+  std::string text =
+      recording::data_block("places", jobs::thinned(forecast.places, shown_max, columns));
   const bool is_png = file.extension() == ".png";
-  text += std::string("END\nset terminal ") +
+  text += std::string("set terminal ") +
           (is_png ? "pngcairo enhanced background rgb 'white' font 'Sans,12'"
                   : "svg enhanced background rgb 'white' font 'Sans,14'") +
           " size 1100,1000\nset output " +
@@ -88,7 +64,7 @@ std::string forces_script(const ForceForecast& forecast, double stiffness_n_per_
           "set multiplot layout 4,1 margins 0.08,0.90,0.07,0.96 spacing 0,0.08\n"
           "set ylabel 'P_z [N]'\n";
   if (stiffness_n_per_um > 0.0) {
-    const std::string k = number(stiffness_n_per_um);
+    const std::string k = recording::number(stiffness_n_per_um);
     text += "set border 11\nset link y2 via y/" + k + " inverse y*" + k +
             "\nset format y2 '%.1f'\nset y2tics out scale 0.6\nset y2label 'deflection [{/Symbol "
             "m}m]'\n";
@@ -106,12 +82,6 @@ std::string forces_script(const ForceForecast& forecast, double stiffness_n_per_
       "plot $places using 1:6 with steps lw 1.5 lc rgb '#b8860b' title 'depth of cut'\n"
       "unset multiplot\nunset output\n";
   return text;
-}
-
-double greatest(const ForceForecast& forecast, double ForcePlace::* quantity) {
-  double most = 0.0;
-  for (const ForcePlace& place : forecast.places) most = std::max(most, place.*quantity);
-  return most;
 }
 
 // Where even the least feed takes more than the set force.
@@ -137,17 +107,15 @@ int run_milling(const OptimiseOptions& options) {
   const MillingForecast forecast = forecast_milling(request);
   if (!options.out.empty())
     write_text_file(options.out, with_feeds(request.job.text, forecast.lines));
-  if (!options.csv.empty()) write_text_file(options.csv, to_csv(forecast));
+  if (!options.csv.empty())
+    write_text_file(options.csv, jobs::csv(forecast.places, jobs::milling_columns()));
   if (!options.picture.empty()) draw_picture(forecast, options.picture);
   if (options.job.json) {
     write_json(to_json(forecast));
   } else {
     write_data(to_text(forecast));
   }
-  double most_n = 0.0;
-  for (const MillingPlace& place : forecast.places)
-    most_n = std::max(most_n, place.force_planned_n);
-  warn_of_force(most_n, request.force_n);
+  warn_of_force(jobs::greatest(forecast.places, &MillingPlace::force_planned_n), request.force_n);
   return 0;
 }
 
@@ -156,21 +124,22 @@ int run_optimise(const OptimiseOptions& options) {
   const ForecastRequest request{.job = forecast_job(options.program, options.job),
                                 .force_n = options.force_n,
                                 .feed_min = options.feed_min,
-                                .feed_max = options.feed_max};
+                                .feed_max = options.feed_max,
+                                .stiffness_n_per_um = options.stiffness_n_per_um};
   const ForceForecast forecast = forecast_forces(request);
   if (!options.out.empty())
     write_text_file(options.out, with_feeds(request.job.text, forecast.lines));
   if (!options.csv.empty())
-    write_text_file(options.csv, forces_csv(forecast, options.stiffness_n_per_um));
+    write_text_file(options.csv, jobs::csv(forecast.places, jobs::turning_columns()));
   if (!options.picture.empty()) {
     if (const auto error =
             recording::draw(forces_script(forecast, options.stiffness_n_per_um, options.picture)))
       throw std::runtime_error("cannot draw " + options.picture + ": " + error->text);
   }
-  const double before_n = greatest(forecast, &ForcePlace::force_programmed_n);
-  const double after_n = greatest(forecast, &ForcePlace::force_n);
-  const double power_w = greatest(forecast, &ForcePlace::power_w);
-  const double deflection = deflection_um(after_n, options.stiffness_n_per_um);
+  const double before_n = jobs::greatest(forecast.places, &ForcePlace::force_programmed_n);
+  const double after_n = jobs::greatest(forecast.places, &ForcePlace::force_n);
+  const double power_w = jobs::greatest(forecast.places, &ForcePlace::power_w);
+  const double deflection = jobs::greatest(forecast.places, &ForcePlace::deflection_um);
   if (options.job.json) {
     nlohmann::ordered_json json{{"force_programmed_max_n", before_n},
                                 {"force_max_n", after_n},

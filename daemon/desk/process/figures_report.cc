@@ -11,9 +11,10 @@
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/process/process_desk.h"
 #include "jobs/cutting/cut_log.h"
-#include "jobs/cutting/found_figures.h"
+#include "jobs/cutting/figures.h"
 #include "jobs/cutting/grind_log.h"
 #include "jobs/cutting/milling_log.h"
+#include "jobs/cutting/power_points.h"
 
 namespace stanok::daemon {
 namespace {
@@ -30,23 +31,28 @@ constexpr double force_ratio_usual = 0.4;  // tangential over normal force of a 
 constexpr double wheel_speed_usual_m_per_s = 35.0;
 constexpr double wheel_efficiency_usual = 0.85;
 
-json figure_json(const char* name, const Estimate& estimate, double factor = 1.0) {
-  return {{"name", name},
-          {"value", factor * estimate.value},
-          {"low", factor * estimate.low},
-          {"high", factor * estimate.high}};
+json figure_json(std::string_view name, const Estimate& estimate) {
+  return {
+      {"name", name}, {"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
+}
+
+// Each in the unit in which people read it, and in SI units.
+json figures_json(const jobs::Figures& figures) {
+  json list = json::array();
+  for (const jobs::Figure& figure : figures) {
+    json& one = list.emplace_back(figure_json(figure.name_read, figure.read()));
+    one["si"] = figure_json(figure.name, figure.estimate);
+  }
+  return list;
 }
 
 // Time, power as recorded, power as fitted, of the rows with a reading.
 template <class Row>
 json power_json(const std::vector<double>& time_s, const std::vector<Row>& rows,
                 const std::vector<double>& fitted_w) {
-  std::vector<std::size_t> read;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (std::isfinite(rows[k].power_w)) read.push_back(k);
-  }
-  return thinned(read, ProcessDesk::rows_max,
-                 [&](std::size_t k) { return json{time_s[k], rows[k].power_w, fitted_w[k]}; });
+  return jobs::thinned(
+      jobs::power_points(time_s, rows, fitted_w), ProcessDesk::rows_max,
+      jobs::columns_named(jobs::power_columns(), {"time_s", "recorded_w", "model_w"}));
 }
 
 // "0:32,-20:33": from this Z on this radius, mm, with falling Z; nothing: it is not of this form.
@@ -101,16 +107,7 @@ CommandResult turning(const FiguresRequest& request) {
   for (const process::CutRow& row : log.record.rows)
     rev_per_min = std::max(rev_per_min, row.rev_per_min);
   const double coefficient_n = request.parameters.value("coefficient", 0.0);
-  json figures = json::array({figure_json("coefficient_over_efficiency_n", fit->coefficient_n),
-                              figure_json("exponent", fit->exponent)});
-  if (coefficient_n > 0.0) {
-    figures.push_back(figure_json("efficiency", jobs::quotient(coefficient_n, fit->coefficient_n)));
-  }
-  constexpr double ms_per_s = 1e3;
-  figures.push_back(figure_json("power_lag_ms", fit->lag_s, ms_per_s));
-  figures.push_back(figure_json("idle_linear_w_min", fit->idle_linear));
-  if (fit->idle_square) figures.push_back(figure_json("idle_square_w_min2", *fit->idle_square));
-  return json{{"figures", std::move(figures)},
+  return json{{"figures", figures_json(jobs::figures_of(*fit, coefficient_n))},
               {"noise", fit->noise},
               {"residual_w", fit->residual_w},
               {"readings", fit->readings},
@@ -141,21 +138,14 @@ CommandResult grinding(const FiguresRequest& request) {
   const jobs::GrindLog log = jobs::read_grind_log(request.log, asked);
   const auto fit = process::fit_grinding(log.record, sheet.process);
   if (!fit) return nothing_told(fit.error());
-  constexpr double n_per_um = 1e-6;  // of N/m
-  constexpr double ms_per_s = 1e3;
   const auto readings = std::ranges::count_if(
       log.record.rows, [](const process::GrindRow& row) { return std::isfinite(row.power_w); });
-  return json{
-      {"figures",
-       {figure_json("stiffness_n_um", fit->stiffness_n_per_m, n_per_um),
-        figure_json("force_factor", fit->force_factor),
-        figure_json("force_exponent", fit->force_exponent), figure_json("idle_w", fit->idle_w),
-        figure_json("power_lag_ms", fit->lag_s, ms_per_s)}},
-      {"noise", fit->noise},
-      {"residual_w", fit->residual_w},
-      {"readings", readings},
-      {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
-      {"text", jobs::with_figures(file->text, *fit)}};
+  return json{{"figures", figures_json(jobs::figures_of(*fit))},
+              {"noise", fit->noise},
+              {"residual_w", fit->residual_w},
+              {"readings", readings},
+              {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
+              {"text", jobs::with_figures(file->text, *fit)}};
 }
 
 CommandResult milling(const FiguresRequest& request) {
@@ -178,19 +168,13 @@ CommandResult milling(const FiguresRequest& request) {
   const jobs::MillingLog log = jobs::read_milling_log(request.log, asked);
   const auto fit = process::fit_milling(log.record);
   if (!fit) return nothing_told(fit.error());
-  const auto forces = jobs::cut_forces(*fit, request.parameters.value("efficiency", 1.0));
-  constexpr double ms_per_s = 1e3;
-  json figures = json::array({figure_json("force_n_mm2", forces.force_n_per_mm2),
-                              figure_json("edge_force_n_mm", forces.edge_n_per_mm),
-                              figure_json("power_lag_ms", fit->lag_s, ms_per_s),
-                              figure_json("idle_linear_w_min", fit->idle_linear)});
-  if (fit->idle_square) figures.push_back(figure_json("idle_square_w_min2", *fit->idle_square));
-  return json{{"figures", std::move(figures)},
+  const double efficiency = request.parameters.value("efficiency", 1.0);
+  return json{{"figures", figures_json(jobs::figures_of(*fit, efficiency))},
               {"noise", fit->noise},
               {"residual_w", fit->residual_w},
               {"readings", fit->readings},
               {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
-              {"text", jobs::with_figures(file->text, forces)}};
+              {"text", jobs::with_figures(file->text, jobs::cut_forces(*fit, efficiency))}};
 }
 
 CommandResult told(const FiguresRequest& request) {

@@ -8,8 +8,7 @@
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/process/process_desk.h"
 #include "daemon/desk/program_desk.h"
-#include "jobs/cutting/force_forecast.h"
-#include "jobs/cutting/milling_forecast.h"
+#include "jobs/cutting/cut_columns.h"
 
 namespace stanok::daemon {
 namespace {
@@ -41,65 +40,26 @@ Wanted wanted(const json& parameters) {
           .tool = parameters.value("tool", 0)};
 }
 
-// A place of either cut; feeds in mm/min.
-struct CutAt {
-  double path_mm = 0.0;
-  double force_programmed_n = 0.0;
-  double force_n = 0.0;
-  double feed_programmed = 0.0;
-  double feed = 0.0;
-  double power_w = 0.0;
-  double size = 0.0;  // depth of a turning cut, mm; area of a milling cut, mm2
-  double deflection_um = 0.0;
-};
-
-json cut_at_json(const CutAt& place) {
-  return {place.path_mm, place.force_programmed_n,
-          place.force_n, place.feed_programmed,
-          place.feed,    place.power_w,
-          place.size,    place.deflection_um};
-}
-
-double greatest(const std::vector<CutAt>& places, double CutAt::* quantity) {
-  double most = 0.0;
-  for (const CutAt& place : places) most = std::max(most, place.*quantity);
-  return most;
-}
-
-// The first of the places that come together in a row, with the greatest forces of them: a peak
-// is not left out.
-std::vector<CutAt> with_peaks(const std::vector<CutAt>& places) {
-  std::vector<CutAt> rows;
-  const std::size_t stride = 1 + places.size() / ProcessDesk::rows_max;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const CutAt& place = places[k];
-    if (k % stride == 0) {
-      rows.push_back(place);
-      continue;
-    }
-    CutAt& row = rows.back();
-    for (double CutAt::* const peak : {&CutAt::force_programmed_n, &CutAt::force_n, &CutAt::power_w,
-                                       &CutAt::size, &CutAt::deflection_um})
-      row.*peak = std::max(row.*peak, place.*peak);
-  }
-  return rows;
+// `programmed` and `planned`: the force of a place.
+template <class Place>
+json forces_json(const std::vector<Place>& places, const jobs::Columns<Place>& columns,
+                 double Place::* programmed, double Place::* planned) {
+  return {{"force_programmed_max_n", jobs::greatest(places, programmed)},
+          {"force_max_n", jobs::greatest(places, planned)},
+          {"power_max_w", jobs::greatest(places, &Place::power_w)},
+          {"deflection_max_um", jobs::greatest(places, &Place::deflection_um)},
+          {"places", jobs::thinned(places, ProcessDesk::rows_max, columns)}};
 }
 
 template <class Forecast>
-CommandResult answer_of(const ForecastJob& job, const Wanted& wanted, const Forecast& forecast,
-                        const std::vector<CutAt>& places) {
-  json answer{{"program", job.program},
-              {"blocks", forecast.lines.size()},
-              {"force_programmed_max_n", greatest(places, &CutAt::force_programmed_n)},
-              {"force_max_n", greatest(places, &CutAt::force_n)},
-              {"power_max_w", greatest(places, &CutAt::power_w)},
-              {"deflection_max_um", greatest(places, &CutAt::deflection_um)},
-              {"time_programmed_s", forecast.time_programmed_s},
-              {"time_s", forecast.time_s},
-              {"text", nullptr}};
-  json rows = json::array();
-  for (const CutAt& place : with_peaks(places)) rows.push_back(cut_at_json(place));
-  answer["places"] = std::move(rows);
+json answer_of(const ForecastJob& job, const Wanted& wanted, const Forecast& forecast,
+               json forces) {
+  json answer = std::move(forces);
+  answer["program"] = job.program;
+  answer["blocks"] = forecast.lines.size();
+  answer["time_programmed_s"] = forecast.time_programmed_s;
+  answer["time_s"] = forecast.time_s;
+  answer["text"] = nullptr;
   if (wanted.force_n > 0.0) {
     std::string text = jobs::with_feeds(job.text, forecast.lines);
     if (text.size() <= ProgramDesk::read_bytes_max) answer["text"] = std::move(text);
@@ -112,23 +72,14 @@ CommandResult turning(ForecastJob job, const Wanted& wanted) {
   const jobs::ForecastRequest request{.job = std::move(job),
                                       .force_n = wanted.force_n,
                                       .feed_min = wanted.feed_min,
-                                      .feed_max = wanted.feed_max};
+                                      .feed_max = wanted.feed_max,
+                                      .stiffness_n_per_um = wanted.stiffness_n_per_um};
   const jobs::ForceForecast forecast = jobs::forecast_forces(request);
-  const double um_per_n = wanted.stiffness_n_per_um > 0.0 ? 1.0 / wanted.stiffness_n_per_um : 0.0;
-  std::vector<CutAt> places;
-  places.reserve(forecast.places.size());
-  for (const jobs::ForcePlace& one : forecast.places) {
-    places.push_back({.path_mm = one.path_mm,
-                      .force_programmed_n = one.force_programmed_n,
-                      .force_n = one.force_n,
-                      .feed_programmed = one.feed_programmed * one.rev_per_min,
-                      .feed = one.feed * one.rev_per_min,
-                      .power_w = one.power_w,
-                      .size = one.depth_mm,
-                      .deflection_um = one.force_n * um_per_n});
-  }
-  auto answer = answer_of(request.job, wanted, forecast, places);
-  (*answer)["kind"] = "turning";
+  json answer =
+      answer_of(request.job, wanted, forecast,
+                forces_json(forecast.places, jobs::turning_overview(),
+                            &jobs::ForcePlace::force_programmed_n, &jobs::ForcePlace::force_n));
+  answer["kind"] = "turning";
   return answer;
 }
 
@@ -143,20 +94,11 @@ CommandResult milling(ForecastJob job, const Wanted& wanted, const CuttingProces
                                      .feed_max = wanted.feed_max,
                                      .memory_max = workpiece_bytes_max};
   const jobs::MillingForecast forecast = jobs::forecast_milling(request);
-  std::vector<CutAt> places;
-  places.reserve(forecast.places.size());
-  for (const jobs::MillingPlace& one : forecast.places) {
-    places.push_back({.path_mm = one.path_mm,
-                      .force_programmed_n = one.force_peak_n,
-                      .force_n = one.force_planned_n,
-                      .feed_programmed = one.feed_programmed,
-                      .feed = one.feed_planned,
-                      .power_w = one.power_w,
-                      .size = one.area_mm2,
-                      .deflection_um = one.deflection_um});
-  }
-  auto answer = answer_of(request.job, wanted, forecast, places);
-  (*answer)["kind"] = "milling";
+  json answer = answer_of(
+      request.job, wanted, forecast,
+      forces_json(forecast.places, jobs::milling_overview(), &jobs::MillingPlace::force_peak_n,
+                  &jobs::MillingPlace::force_planned_n));
+  answer["kind"] = "milling";
   return answer;
 }
 

@@ -1,8 +1,6 @@
 // What the answers of ProcessDesk have in common.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -35,14 +33,5 @@ inline constexpr std::uint64_t workpiece_bytes_max = 256U << 20;
                                                 const nlohmann::json& parameters);
 [[nodiscard]] BackgroundWork::Work forces_along(jobs::ForecastJob job, const ProgramFolder& folder,
                                                 const nlohmann::json& parameters);
-
-// Rows of a list, of which as many are left out as keep the answer short.
-template <class Rows, class RowOf>
-nlohmann::json thinned(const Rows& rows, std::size_t rows_max, RowOf row_of) {
-  nlohmann::json list = nlohmann::json::array();
-  const std::size_t stride = 1 + rows.size() / rows_max;
-  for (std::size_t k = 0; k < rows.size(); k += stride) list.push_back(row_of(rows[k]));
-  return list;
-}
 
 }  // namespace stanok::daemon

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "client/offline/process/identify/figure_table.h"
+#include "client/offline/process/identify/power_picture.h"
 
 namespace stanok::client {
 namespace {
@@ -20,30 +21,21 @@ int readings_of(const jobs::GrindLog& log) {
 
 std::string to_text(const GrindFitReport& report) {
   const GrindingFit& fit = report.fit;
-  FigureTable table;
-  table.add("stiffness C", fit.stiffness_n_per_m, {.name = "N/um", .factor = 1e-6, .digits = 3});
-  table.add("force factor C_p", fit.force_factor, {.name = "N/mm", .digits = 4});
-  table.add("exponent alpha", fit.force_exponent, {.name = "", .digits = 4});
-  table.add("idle power", fit.idle_w, {.name = "W", .digits = 1});
-  table.add("lag of the sensor", fit.lag_s, {.name = "ms", .factor = 1e3, .digits = 1});
-  return table.text() + quality_text(readings_of(report.log), fit.noise, fit.residual_w);
+  return figures_text(jobs::figures_of(fit)) +
+         quality_text(readings_of(report.log), fit.noise, fit.residual_w);
 }
 
 ordered_json to_json(const GrindFitReport& report) {
-  const GrindingFit& fit = report.fit;
-  return {{"stiffness_n_per_m", figure_json(fit.stiffness_n_per_m)},
-          {"force_factor", figure_json(fit.force_factor)},
-          {"force_exponent", figure_json(fit.force_exponent)},
-          {"idle_w", figure_json(fit.idle_w)},
-          {"power_lag_s", figure_json(fit.lag_s)},
-          {"noise", fit.noise},
-          {"residual_w", fit.residual_w},
-          {"readings", readings_of(report.log)}};
+  ordered_json json = figures_json(jobs::figures_of(report.fit));
+  json["noise"] = report.fit.noise;
+  json["residual_w"] = report.fit.residual_w;
+  json["readings"] = readings_of(report.log);
+  return json;
 }
 
 void draw_picture(const GrindFitReport& report, const std::filesystem::path& file) {
-  draw_power_picture(power_points(report.log.time_s, report.log.record.rows, report.fit.fitted_w),
-                     file);
+  draw_power_picture(
+      jobs::power_points(report.log.time_s, report.log.record.rows, report.fit.fitted_w), file);
 }
 
 }  // namespace stanok::client

@@ -8,7 +8,6 @@ namespace stanok::client {
 namespace {
 
 using recording::gnuplot_text;
-using recording::number;
 
 constexpr std::size_t shown_points_max = 6000;
 
@@ -20,17 +19,11 @@ std::string panel(const char* title, const char* label, const std::string& plot)
 
 }  // namespace
 
-std::string power_picture_script(const std::vector<PowerPoint>& points,
+std::string power_picture_script(const std::vector<jobs::PowerPoint>& points,
                                  const std::filesystem::path& file) {
   const bool is_png = file.extension() == ".png";
-  std::string text = "$power << END\n";
-  const std::size_t stride = 1 + points.size() / shown_points_max;
-  for (std::size_t k = 0; k < points.size(); k += stride) {
-    const PowerPoint& point = points[k];
-    text += number(point.time_s) + " " + number(point.recorded_w) + " " + number(point.model_w) +
-            " " + number(point.recorded_w - point.model_w) + "\n";
-  }
-  text += "END\n";
+  std::string text = recording::data_block(
+      "power", jobs::thinned(points, shown_points_max, jobs::power_columns()));
   text += std::string("set terminal ") +
           (is_png ? "pngcairo enhanced background rgb 'white' font 'Sans,12'"
                   : "svg enhanced background rgb 'white' font 'Sans,14'") +
@@ -50,7 +43,8 @@ std::string power_picture_script(const std::vector<PowerPoint>& points,
   return text + "unset multiplot\nunset output\n";
 }
 
-void draw_power_picture(const std::vector<PowerPoint>& points, const std::filesystem::path& file) {
+void draw_power_picture(const std::vector<jobs::PowerPoint>& points,
+                        const std::filesystem::path& file) {
   if (const auto error = recording::draw(power_picture_script(points, file)))
     throw std::runtime_error("cannot draw " + file.string() + ": " + error->text);
 }

@@ -12,6 +12,7 @@
 
 #include "client/offline/process/forecast_job.h"
 #include "client/offline/process/milling_report.h"
+#include "jobs/cutting/cut_columns.h"
 #include "jobs/cutting/program_text.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
@@ -218,7 +219,7 @@ TEST(MillingReport, HasTextCsvJsonAndAPicture) {
                      {.line = 6, .x_mm = 2.5, .force_peak_n = 120.0, .deflection_um = 9.0}};
   EXPECT_THAT(to_text(forecast), ::testing::HasSubstr("210.0 N at most, in line 5 at X1.500"));
   EXPECT_EQ(to_json(forecast).at("force_programmed_max_line"), 5);
-  EXPECT_EQ(std::ranges::count(to_csv(forecast), '\n'), 3);
+  EXPECT_EQ(std::ranges::count(jobs::csv(forecast.places, jobs::milling_columns()), '\n'), 3);
   EXPECT_THAT(picture_script(forecast, "it's.svg"), ::testing::HasSubstr("it''s.svg"));
 }
 
