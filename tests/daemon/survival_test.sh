@@ -79,7 +79,7 @@ for ((k = 0; k < 20; ++k)); do
 done
 for client in "${clients[@]}"; do wait "$client" || fail "one of many operators was not served"; done
 
-# Stopped for a second and continued: the skipped cycles are counted, not caught up, and the drives,
+# Stopped for a second and continued, longer than lost periods are made up for: they are counted, and the drives,
 # which are those of the machine file and no patient ones now, left alone for longer than their watchdog
 # of half a second allows, have stopped: a fault that a reset ends.
 expect_exit 0 program stop
