@@ -20,8 +20,9 @@ std::string LogObserver::close() {
   const auto& error = writer_->status().error;
   if (error) return error->text;
   if (lost_cycle_ == 0) return {};
-  return "W720 the log lacks inputs from cycle " + std::to_string(lost_cycle_) +
-         " on: too many came in one cycle; it can be repeated up to there only";
+  return "W720 inputs from cycle " + std::to_string(lost_cycle_) +
+         " on are missing from the log: too many arrived in one cycle; it can be replayed only up "
+         "to this cycle";
 }
 
 }  // namespace stanok::runtime

@@ -38,7 +38,7 @@ class OutputBook {
     event.text = FixedText<240>("setpoints of cycle ");
     event.text.append(static_cast<long>(cycle))
         .append(
-            " and of some behind it are missing in the recording: the recorder fell behind; "
+            " and of some after it are missing from the recording: the recorder was too slow; "
             "a replay computes them again");
     has_told_gap_ = events_.push(event);
   }

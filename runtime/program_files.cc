@@ -49,7 +49,7 @@ std::string fault_of(std::string_view name) {
   if (name.size() > 1 && name[1] == ':') return "the file name must not name a drive";
   for (const char c : name) {
     if (static_cast<unsigned char>(c) < ' ')
-      return "the file name must not hold control characters";
+      return "the file name must not contain control characters";
   }
   for (const fs::path& part : fs::path(name)) {
     if (part == "..") return "the file name must not contain ..";
@@ -114,7 +114,7 @@ std::string similar_name(const fs::path& folder, std::string_view name) {
     const std::string candidate = entry.path().filename().string();
     if (lower(candidate) == lower(fs::path(name).filename().string())) {
       return "there is " + (fs::path(name).parent_path() / candidate).string() +
-             "; capitals matter in file names";
+             "; file names are case-sensitive";
     }
   }
   return "";
@@ -158,7 +158,7 @@ Expected<Text, Diagnostic> ProgramFiles::read(std::string_view name, std::string
 Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string_view from) const {
   if (const std::string fault = fault_of(name); !fault.empty()) {
     return Unexpected<Diagnostic>(diagnostic("E7002", fault + ": " + std::string(name),
-                                             "name it as it stands below the program root"));
+                                             "give the file name relative to the program root"));
   }
   const bool is_stl = lang::names_stl_file(name);
   const auto folders = folders_for(from);
@@ -168,7 +168,7 @@ Expected<Text, Diagnostic> ProgramFiles::find(std::string_view name, std::string
       const int error = -file.number();
       if (error == EXDEV || error == ELOOP) {
         return Unexpected<Diagnostic>(
-            diagnostic("E7002", std::string(name) + " leads out of the program root", ""));
+            diagnostic("E7002", std::string(name) + " leads outside the program root", ""));
       }
       if (error != ENOENT && error != ENOTDIR) {
         return Unexpected<Diagnostic>(diagnostic(

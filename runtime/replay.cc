@@ -294,37 +294,37 @@ void remark_on_bytes(const recording::LogContents& contents, ReplayResult& resul
   for (const recording::Damage& damage : contents.damage) {
     if (damage.kind == recording::DamageKind::cut) continue;
     result.is_damaged = true;
-    result.remarks.push_back("the log is damaged: the bytes " + std::to_string(damage.offset) +
-                             " to " + std::to_string(damage.offset + damage.bytes - 1) +
-                             " are not as they were written");
+    result.remarks.push_back("the log is damaged: bytes " + std::to_string(damage.offset) + " to " +
+                             std::to_string(damage.offset + damage.bytes - 1) +
+                             " have changed since they were written");
   }
   if (!coverage.has_checks) {
     result.remarks.emplace_back(
-        "recorded without check sums, as by stanok 0.1.0: only what is compared is covered, "
-        "setpoints and through them the inputs; other bytes of the log may have changed "
+        "recorded without checksums, as by stanok 0.1.0: only what is compared is covered, "
+        "that is setpoints and, through them, the inputs; other bytes of the log may have changed "
         "unnoticed");
   }
   if (coverage.end == recording::LogEnd::next_piece)
-    result.remarks.emplace_back("the recording goes on in its next file, which is not verified");
+    result.remarks.emplace_back("the recording continues in its next file, which is not verified");
 }
 
 void remark_on(const recording::LogContents& contents, ReplayResult& result) {
   const auto& description = contents.description;
   if (description && description->format > recording::log_format) {
     result.remarks.push_back("the log has format " + std::to_string(description->format) +
-                             ", and this version reads up to " +
+                             ", but this version reads formats up to " +
                              std::to_string(recording::log_format) +
-                             ": what it leaves out may not be found");
+                             ": missing parts may go unnoticed");
   }
   if (description && description->version != protocol::version) {
-    result.remarks.push_back("recorded by stanok " + description->version + ", and this is " +
+    result.remarks.push_back("recorded by stanok " + description->version + ", but this is " +
                              std::string(protocol::version) +
-                             ": another version may plan motion anew; a log repeats with the "
-                             "version that recorded it");
+                             ": another version may plan motion differently; use the version that "
+                             "recorded the log to replay it");
   }
   if (description && !description->build.starts_with(this_build())) {
     result.remarks.push_back("recorded by another build (" + description->build +
-                             "): equal bits are promised for equal builds only");
+                             "): only equal builds are guaranteed to give equal bits");
   }
   if (description && description->libm != recording::this_libm())
     result.remarks.push_back("recorded with another C library: " + description->libm);
@@ -335,12 +335,14 @@ void remark_on_gaps(ReplayResult& result) {
   constexpr std::size_t told_max = 10;
   for (std::size_t k = 0; k < std::min(result.gaps.size(), told_max); ++k) {
     const SetpointGap& gap = result.gaps[k];
-    result.remarks.push_back("the log has no setpoints of the cycles " + std::to_string(gap.first) +
-                             " to " + std::to_string(gap.last) +
-                             ", the recorder fell behind; they are repeated and not compared");
+    result.remarks.push_back(
+        "the log has no setpoints of cycles " + std::to_string(gap.first) + " to " +
+        std::to_string(gap.last) +
+        ", because the recorder was too slow; they are computed again but not compared");
   }
   if (result.gaps.size() > told_max)
-    result.remarks.push_back(std::to_string(result.gaps.size() - told_max) + " more such gaps");
+    result.remarks.push_back(std::to_string(result.gaps.size() - told_max) +
+                             " more gaps of this kind");
 }
 
 // When all that can be has been compared.
@@ -348,11 +350,11 @@ void remark_on_end(const recording::LogContents& contents, ReplayResult& result)
   const std::string sound =
       result.lost_cycle || result.difference
           ? std::string()
-          : ", everything up to cycle " + std::to_string(result.cycles) + " is sound";
+          : "; everything up to cycle " + std::to_string(result.cycles) + " is sound";
   if (result.is_cut && contents.coverage.has_checks) {
     result.remarks.push_back(
         "the log ends without its trailer: the recording was cut (power failure, kill, full disk) "
-        "or still goes on" +
+        "or is still running" +
         sound);
   } else if (result.is_cut) {
     result.remarks.push_back("the log is cut at byte " +
@@ -402,9 +404,9 @@ class Verification {
  private:
   static void end_at_loss(const std::string& what, std::int64_t cycle, ReplayResult& result) {
     result.lost_cycle = cycle;
-    result.remarks.push_back("W720 " + what + " are missing from cycle " + std::to_string(cycle) +
-                             " on, the recorder fell behind; nothing from there on can be "
-                             "repeated");
+    result.remarks.push_back(
+        "W720 " + what + " are missing from cycle " + std::to_string(cycle) +
+        " on, because the recorder was too slow; nothing after that can be replayed");
   }
   static int axis_count_of(const setpoint_t& setpoint) {
     return std::clamp(setpoint.axis_count, 0, static_cast<std::int32_t>(motion::axes_max));

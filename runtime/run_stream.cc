@@ -58,11 +58,11 @@ class Texts {
 std::string why_it_is_no_run(const recording::LogContents& contents) {
   if (!contents.coverage.faults.empty()) {
     return "the log is damaged at byte " + std::to_string(contents.coverage.faults.front().offset) +
-           ", where the machine and the setup of its run stand; nothing of it can be repeated";
+           ", in the part with the machine and the setup of its run; no part of it can be replayed";
   }
   if (contents.is_cut())
-    return "the log is cut before the machine and the setup of its run are complete; nothing of it "
-           "can be repeated";
+    return "the log is cut before the machine and the setup of its run are complete; no part of it "
+           "can be replayed";
   return "the log does not begin with the machine and the setup of its run; it is a later part of "
          "a recording, or of another version";
 }
@@ -244,7 +244,7 @@ RunBeginning RunStream::beginning() {
   if (!setpoints.empty() && setpoints.front().cycle > first_cycle_of_a_machine) {
     throw std::runtime_error("the log begins at cycle " + std::to_string(setpoints.front().cycle) +
                              " of its machine; only a recording from the first cycle on can be "
-                             "repeated, this one can be shown, plotted and exported");
+                             "replayed; this one can be shown, plotted and exported");
   }
   lock.unlock();
   return beginning_of(std::move(sources), tables, std::move(*setup));

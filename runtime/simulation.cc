@@ -245,7 +245,7 @@ class Simulation {
           "E6025 channel " + std::to_string(channel.id) + " in line " +
           std::to_string(channel.tag.line) +
           (is_held ? " stays held: " + std::string(channels::text_of(channel.hold_cause))
-                   : " waits for channels that do not go on"));
+                   : " waits for channels that do not continue"));
     }
   }
 

@@ -72,7 +72,7 @@ void AxisHoming::step(const AxisFeedback& drive, const Sight& sight, motion::Axi
     case Stage::failed:
       return;
   }
-  if (sight.at_rest) fail("there is no home switch on the whole travel", move);
+  if (sight.at_rest) fail("there is no home switch within the whole travel", move);
 }
 
 void AxisHoming::look_for_home(const AxisFeedback& drive, const Sight& sight,
@@ -93,10 +93,10 @@ void AxisHoming::look_for_home(const AxisFeedback& drive, const Sight& sight,
     return stop_for(behind_home, move);
   }
   if (sight.end_ahead)
-    return fail("the axis met the limit switch before the home switch or index pulse", move);
+    return fail("the axis reached the limit switch before the home switch or index pulse", move);
   if (sight.at_rest)
     fail(was_on_switch_ || !needs_switch ? "the encoder gave no index pulse"
-                                         : "the axis did not meet the home switch again",
+                                         : "the axis did not reach the home switch again",
          move);
 }
 

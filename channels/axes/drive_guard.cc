@@ -79,8 +79,8 @@ std::optional<Fault> DriveGuard::fault_of_drives() RT_SAFE {
     return Fault{{"A3002"}, faulty.sentence(" reports a fault", " report faults")};
   if (stray.count > 0) {
     return Fault{{"A3003"},
-                 stray.sentence(" does not follow its setpoints, or does not tell where it is",
-                                " do not follow their setpoints, or do not tell where they are")};
+                 stray.sentence(" does not follow its setpoints or report its position",
+                                " do not follow their setpoints or report their positions")};
   }
   if (released.count > 0) {
     return Fault{{"A3004"},
@@ -118,8 +118,8 @@ std::optional<Fault> DriveGuard::fault_of_limit_switches(LimitSwitches switches)
     if (!axes_.drive(axis).enabled) continue;
     first = Fault{{"A2002"}, {"axis "}};
     first->text.append(axes_.name(axis).view())
-        .append(drive.limit_negative ? " stands on the limit switch at its negative end"
-                                     : " stands on the limit switch at its positive end");
+        .append(drive.limit_negative ? " is on the limit switch at its negative end"
+                                     : " is on the limit switch at its positive end");
   }
   return first;
 }

@@ -210,7 +210,7 @@ void ManualMotion::accept(std::size_t axis, const AxisFeedback& drive,
     state.reference.accepted = false;
     state.task = Task::none;
   } else if (--state.cycles_left <= 0) {
-    fail(axis, "the drive does not take over its position");
+    fail(axis, "the drive does not accept its position");
   }
 }
 

@@ -28,8 +28,8 @@ std::optional<Fault> impossible_step(const motion::MotionConfig& motion, double 
     if (has_number && (step <= step_max || may_step)) continue;
     Fault fault{{"A9002"}, {"axis "}};
     fault.text.append(axes.name(axis).view())
-        .append(has_number ? " would step farther than it can move in a cycle"
-                           : " would get a setpoint that is no number");
+        .append(has_number ? " would move farther in one cycle than it can"
+                           : " would get a setpoint that is not a number");
     return fault;
   }
   return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<Fault> passed_limit(const motion::MotionConfig& motion, double cyc
     if (!motion::passes_limit(axes_M[axis], motion.axes[axis], slack)) continue;
     Fault fault{{"A2003"}, {"axis "}};
     fault.text.append(axes.name(axis).view())
-        .append(" comes too near to its soft limit to stand before it");
+        .append(" is too close to its soft limit to stop before it");
     return fault;
   }
   return std::nullopt;

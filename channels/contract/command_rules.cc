@@ -101,10 +101,10 @@ std::string_view claim_of_refusal(std::string_view code) RT_SAFE {
   if (code == no_program) return ": no program is loaded";
   if (code == off) return ": the machine is off";
   if (code == nothing_ran) return ": nothing was running";
-  if (code == by_hand) return ": axes are being moved by hand";
+  if (code == by_hand) return ": axes are being jogged or homed";
   if (code == stops) return ": it is still coming to rest";
   if (code == switches) return ": the kinematics are being changed";
-  if (code == scheme_in_use) return ": its kinematics are in use by a program";
+  if (code == scheme_in_use) return ": a program is using its kinematics";
   return "";
 }
 

@@ -80,7 +80,7 @@ Verdict ChannelErrands::start(const Errand& errand, OperatorAction action, Job j
     return success();
   }
   if (target.drives.axis_on_limit_switch() >= 0)
-    return refusal_of(target.id(), "E6057", ": an axis stands on a limit switch; jog it back");
+    return refusal_of(target.id(), "E6057", ": an axis is on a limit switch; jog it back");
   const lang::AxisSet axes = target.schemes.participants();
   if (const auto homeless = unreferenced(target, axes)) return *homeless;
   if (const auto taken = claim(errand.target, axes)) return *taken;
@@ -209,7 +209,7 @@ Verdict ChannelErrands::spindle_to_axis(Errand& errand, int spindle) RT_SAFE {
     case 1:
       if (!asker.spindles.stands(spindle)) {
         if (waited_s(errand) < spindle_stands_within_s) return pending();
-        return refusal("E5206", "the spindle that becomes an axis does not come to rest");
+        return refusal("E5206", "the spindle that is to become an axis does not come to rest");
       }
       asker.spindles.close_position_loop(spindle);
       errand.stage = 2;
@@ -235,9 +235,9 @@ Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker, int spindle) 
   }
   if (waited_s(errand) < drives_ready_within_s) return pending();
   asker.spindles.open_position_loop(spindle);
-  return is_homed
-             ? refusal("E5206", "the drive does not close the position loop of the axis")
-             : refusal("E5207", "the axis that the spindle becomes has not found its index pulse");
+  return is_homed ? refusal("E5206", "the drive does not close the position loop of the axis")
+                  : refusal("E5207",
+                            "the spindle that is to become an axis has not found its index pulse");
 }
 
 // Why what was asked for may not begin now: what the channel does, a stop since it was asked, or
@@ -251,7 +251,7 @@ std::optional<Verdict> ChannelErrands::obstacle(const Errand& errand, OperatorAc
   if (errand.generation != target.run.generation())
     return refusal_of(target.id(), "E6072", " was stopped before it began");
   if (control_.admits(errand)) return std::nullopt;
-  return refusal_of(target.id(), "E6080", " is under control of another operator");
+  return refusal_of(target.id(), "E6080", " is controlled by another operator");
 }
 
 // Nothing: all these axes of channel `index` are its own now.

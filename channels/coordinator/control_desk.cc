@@ -24,8 +24,7 @@ std::optional<Verdict> ControlDesk::foreign_axis(int index, lang::AxisSet axes) 
     if (of(owner) == 0 || of(owner) == of(index)) continue;
     Verdict verdict = refusal("E6080", "axis ");
     verdict.text.append(claimant.axes.name(axis).view()).append(" belongs to channel ");
-    verdict.text.append(channels_[owner].id())
-        .append(", which is under control of another operator");
+    verdict.text.append(channels_[owner].id()).append(", which is controlled by another operator");
     return verdict;
   }
   return std::nullopt;

@@ -133,7 +133,8 @@ bool Coordinator::admits(const OperatorEvent& event, std::int64_t cycle) RT_SAFE
   }
   if (event.situation == 0 || index < 0) return true;
   if (channels_[index].items().current_tag().situation == event.situation) return true;
-  reply(event.id, refusal("E6090", "codes, tool or tables have changed since: look again"));
+  reply(event.id,
+        refusal("E6090", "codes, tool or tables have changed since then: check them again"));
   return false;
 }
 

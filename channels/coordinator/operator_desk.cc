@@ -12,19 +12,18 @@ namespace {
 
 std::string_view jog_refusal(std::string_view code) RT_SAFE {
   if (code == "E6006") return "the machine or the drive of the axis is off";
-  if (code == "E6008") return "the drive of the axis does not hold it";
+  if (code == "E6008") return "the drive of the axis does not hold its position";
   if (code == "E6058")
-    return "the scheme of the channel parks the axis: its brake is closed, its drive off; select a "
-           "scheme with it";
-  if (code == "E6056") return "axes of the channel are being moved by hand";
-  if (code == "E6057") return "the axis stands on the limit switch at this end; jog it back";
+    return "the scheme of the channel parks the axis: its brake is closed and its drive is off; "
+           "select a scheme that uses the axis";
+  if (code == "E6056") return "axes of the channel are being jogged or homed";
+  if (code == "E6057") return "the axis is on the limit switch at this end; jog it back";
   if (code == "E6053") return "the axis would leave its travel";
-  if (code == "E6003") return "a program is under way";
+  if (code == "E6003") return "a program is running or held";
   if (code == "E6055")
-    return "the scheme in force has no straight line in this direction; jog the axes of the "
-           "machine";
+    return "the active scheme has no straight line in this direction; jog the axes of the machine";
   if (code == "E6059")
-    return "an axis of the scheme is not homed: where the tool points is unknown";
+    return "an axis of the scheme is not homed: the direction of the tool is unknown";
   return "the axis belongs to another channel, or is a spindle now";
 }
 
@@ -67,7 +66,7 @@ Verdict apply_to(Channel& channel, const commands::ProcessAutomatic& command) RT
   const auto law =
       command.law == AutomaticLaw::linear ? motion::LawKind::linear : motion::LawKind::modulated;
   if (channel.process.switch_law(law, command.to)) return success();
-  return refusal("E6030", "the machine file gives the channel no such automatic feed law");
+  return refusal("E6030", "the machine file has no such automatic feed law for the channel");
 }
 
 // One quantity of the force control gets another value.
@@ -83,7 +82,7 @@ motion::ForceCommand adjustment(ForceQuantity quantity, double value) RT_SAFE {
 
 Verdict apply_to(Channel& channel, const commands::ProcessAdaptive& command) RT_SAFE {
   if (!channel.process.has_force_control())
-    return refusal("E6060", "the machine file gives the channel no force control");
+    return refusal("E6060", "the machine file has no force control for the channel");
   const ForceQuantity quantity = command.quantity;
   motion::ForceCommand order;
   switch (command.action) {
@@ -91,7 +90,7 @@ Verdict apply_to(Channel& channel, const commands::ProcessAdaptive& command) RT_
       break;
     case ForceAction::on:
       if (quantity != ForceQuantity::not_named && quantity != ForceQuantity::force)
-        return refusal("E6061", "give the force with which force control is to be switched on");
+        return refusal("E6061", "give the force when you switch force control on");
       order.kind = motion::ForceCommand::Kind::force;
       order.force_n = command.value;
       break;
@@ -102,7 +101,8 @@ Verdict apply_to(Channel& channel, const commands::ProcessAdaptive& command) RT_
       break;
   }
   if (channel.process.command(order)) return success();
-  return refusal("E6062", "no force was commanded yet: give one with process adaptive on force N");
+  return refusal("E6062",
+                 "no force has been commanded yet: give one with process adaptive on force N");
 }
 
 template <class Command, class... Commands>
@@ -201,7 +201,8 @@ struct OperatorDesk::Application {
   }
   Result touch(const auto& command) const RT_SAFE {
     if (named == nullptr) return refusal("E6001", "a channel must be named");
-    if (!named->is_quiet()) return refusal("E6090", "the channel is not at rest: look again");
+    if (!named->is_quiet())
+      return refusal("E6090", "the channel is not at rest: check again when it is");
     return desk.touch(*named, command);
   }
   Result operator()(const commands::OffsetTouch& command) const RT_SAFE { return touch(command); }

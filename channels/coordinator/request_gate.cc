@@ -58,7 +58,7 @@ std::optional<Verdict> RequestGate::refusal_of(const OperatorEvent& event, std::
   if (age <= cycles_max_) return std::nullopt;
   Verdict verdict = refusal("E6073", "");
   const auto tenths = std::llround(10.0 * static_cast<double>(age) * cycle_s_);
-  verdict.text.append("who asked had seen the machine as it was ")
+  verdict.text.append("the sender of the command last saw the state of the machine ")
       .append(static_cast<long>(tenths / 10))
       .append(".")
       .append(static_cast<long>(tenths % 10))

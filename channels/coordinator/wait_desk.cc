@@ -30,7 +30,7 @@ Verdict WaitDesk::wait_for_end(Errand& errand, double seconds, const Channel& ta
     return verdict;
   }
   if (seconds >= 0.0 && static_cast<double>(errand.cycles) * cycle_s_ >= seconds) {
-    return refusal_of(target.id(), "E6010", " has not ended within the time given");
+    return refusal_of(target.id(), "E6010", " has not ended within the given time");
   }
   return pending();
 }
@@ -90,7 +90,8 @@ void WaitDesk::work_soft_mark(int index) RT_SAFE {
   const Rendezvous::Arrival arrival = rendezvous_.at(index);
   if (coming.marks.passed_mark() != nullptr && arrival.present) {
     if (!arrival.met) {
-      coming.run.fail("E6021", "a partner left the mark while the channel came to it", arrival.tag);
+      coming.run.fail("E6021", "a partner left the mark while the channel was on its way to it",
+                      arrival.tag);
     }
     return rendezvous_.leave(index);
   }
@@ -135,7 +136,7 @@ std::optional<Verdict> WaitDesk::lost_partner(int index) const RT_SAFE {
     const bool has_ended =
         partner.runs.run() > 0 && partner.runs.end_cycle() >= channels_[index].runs.start_cycle();
     if (!has_ended && partner.state().shown() != ChannelState::alarm) continue;
-    Verdict verdict = refusal_of(partner.id(), "E6021", " has ended without coming to mark ");
+    Verdict verdict = refusal_of(partner.id(), "E6021", " has ended without reaching mark ");
     verdict.raises = true;
     verdict.text.append(arrival.mark);
     return verdict;
@@ -149,7 +150,7 @@ std::optional<Verdict> WaitDesk::deadlock(int index) const RT_SAFE {
   for (int k = 0; k < channels_.count(); ++k) awaited[k] = awaited_by(k);
   const Circle circle = find_circle(awaited, index);
   if (circle.length == 0) return std::nullopt;
-  Verdict verdict = refusal("E6020", "the channels would wait for each other for ever");
+  Verdict verdict = refusal("E6020", "the channels would wait for each other forever");
   verdict.raises = true;
   for (int k = 0; k < circle.length; ++k) {
     const int waiter = circle.channels[k];

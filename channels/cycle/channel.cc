@@ -21,12 +21,12 @@ Channel::Channel(const motion::MotionConfig& motion, const ChannelConstants& con
 void Channel::see_gap(const ClockGap& gap) RT_SAFE {
   spindles.see_gap();
   if (gap.then == AfterGap::goes_on || state().is_ending()) return;
-  FixedText<128> text("the cycle came ");
+  FixedText<128> text("the cycle was ");
   text.append(static_cast<long>(
                   std::llround(1e3 * static_cast<double>(gap.periods) * constants.cycle_s)))
       .append(" ms too late");
   if (motion.path().is_led_by_spindle)
-    return run.fail("A4002", text.append(" within a thread").view(), motion.path().tag);
+    return run.fail("A4002", text.append(" in a thread").view(), motion.path().tag);
   if (gap.then == AfterGap::is_held) {
     if (state().situation() == Situation::held) return;  // for a cause of its own
     if (state().situation() == Situation::running)
@@ -35,7 +35,7 @@ void Channel::see_gap(const ClockGap& gap) RT_SAFE {
   }
   if (rests_after_gap_ || !state().is_running() || motion.path_is_at_rest()) return;
   rests_after_gap_ = true;
-  log.tell("W731", text.append(": the axes come to rest on the path").view(), motion.path().tag);
+  log.tell("W731", text.append(": the axes stop on the path").view(), motion.path().tag);
 }
 
 // A drive that is lost or faulty stops the channel along its path.
@@ -63,7 +63,7 @@ void Channel::advance(std::int64_t cycle, Period period) RT_SAFE {
   announce();
   name_program();
   if (std::exchange(link.has_lost_notice, false))
-    run.fault({{"A9001"}, {"the preparation of the channel has not taken what it was told"}});
+    run.fault({{"A9001"}, {"the preparation of the channel has not accepted a message"}});
   if (run.takes_power_off()) power(Power::off);
 }
 
@@ -145,7 +145,7 @@ void Channel::move() RT_SAFE {
 void Channel::tell_when_it_runs_dry() RT_SAFE {
   if (!state().is_running() || state().is_ending()) return refill_.forget();
   if (!refill_.look(motion.path().state, link.path)) return;
-  log.tell("W730", "the axes rest: the blocks behind this one were not prepared in time",
+  log.tell("W730", "the axes pause: the blocks after this one were not prepared in time",
            motion.path().tag);
 }
 
@@ -203,7 +203,7 @@ void Channel::work_marks(Period period) RT_SAFE {
                      .stands_at_gate = path.at_gate,
                      .closed_block = run.stepper().closed_from_block(),
                      .riders_before_item = is_present ? items_.riders_before_item() : 0});
-  if (missed) run.fail("E6024", "the path came too fast to the mark to stop there", *missed);
+  if (missed) run.fail("E6024", "the path reached the mark too fast to stop there", *missed);
 }
 
 void Channel::announce() RT_SAFE {

@@ -56,16 +56,19 @@ SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag, ChannelLo
       log.tell("W611", "the vibration sensor gives no value: no oscillation is formed", tag);
       break;
     case ForceEvent::frequency_shifted:
-      log.tell("W612", "the oscillation would be a multiple of the spindle's: it was shifted", tag);
+      log.tell("W612", "the frequency would be a multiple of the spindle frequency: it was shifted",
+               tag);
       break;
     case ForceEvent::oscillation_limited:
-      log.tell("W613", "the force cannot swing as far as asked: the feed would come to rest", tag);
+      log.tell("W613",
+               "the force cannot oscillate as far as commanded: the feed would come to rest", tag);
       break;
     case ForceEvent::overload_at_feed_min:
       log.tell("W614", "the force is above its setpoint at S_min", tag);
       break;
     case ForceEvent::force_missing:
-      log.tell("W615", "the tool feeds without the force that is set, longer than an air cut", tag);
+      log.tell("W615",
+               "the tool has moved at feed without the set force for longer than an air cut", tag);
       break;
   }
   return SensorLoss::none;

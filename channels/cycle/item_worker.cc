@@ -108,8 +108,8 @@ struct ItemWorker::Execution {
   }
   void operator()(const lang::ForceControl& control) const RT_SAFE {
     if (!parts.process.command(command_of(control))) {
-      return parts.run.fail("E6062", "the command does not fit the present state of force control",
-                            tag);
+      return parts.run.fail(
+          "E6062", "the command is not possible in the present state of force control", tag);
     }
     worker.wait_for_spindles();
   }
@@ -128,14 +128,14 @@ struct ItemWorker::Execution {
     const bool is_optional = stop.kind == lang::StopKind::optional_stop;
     if (is_optional && !parts.switches.optional_stop()) return;
     if (!is_optional && parts.constants.stops_go_on)
-      return parts.log.tell("", "program stop: going on at once", tag);
+      return parts.log.tell("", "program stop: continues immediately", tag);
     parts.run.hold(HoldCause::program_stop);
   }
   void operator()(const ProbeBegin& probe) const RT_SAFE {
     if (worker.probe_.begin(probe) || !probe.alarm_when_missed) return;
     parts.run.fail("E4322",
-                   probe.until_contact ? "the probe touches before the move"
-                                       : "the probe is free before the move",
+                   probe.until_contact ? "the probe is in contact before the move"
+                                       : "the probe is not in contact before the move",
                    tag);
   }
   void operator()(const Request& request) const RT_SAFE {

@@ -44,7 +44,7 @@ void KinematicsChange::fail(const AxesStep& step, int axis) RT_SAFE {
   const bool parks = step.kind == AxesStep::Kind::park;
   ShortText text(parks ? "the brake of axis " : "the drive of axis ");
   text.append(axes_.name(axis).view()).append(parks ? " does not close" : " does not switch on");
-  text.append("; the scheme is as before, the axes of the change are braked");
+  text.append("; the scheme is unchanged and the axes of the change are braked");
   axes_.brake(changed_);
   refuse("E5205", text.view());
   run_.state().is_running() ? run_.fail("E5205", text.view(), motion_.path().tag)
@@ -64,7 +64,7 @@ void KinematicsChange::refuse(std::string_view code, std::string_view text) RT_S
 void KinematicsChange::end() RT_SAFE {
   axes_.brake(changed_);
   refuse("E6072",
-         "the change of kinematics was stopped; the scheme is as before, its axes are braked");
+         "the change of kinematics was stopped; the scheme is unchanged and its axes are braked");
 }
 
 void KinematicsChange::close(Outcome outcome) RT_SAFE {

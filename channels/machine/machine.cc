@@ -195,7 +195,7 @@ struct Machine::Parts {
     event.cycle = cycle;
     event.code = FixedText<8>("W722");
     event.text.append(static_cast<long>(lost - reports_lost))
-        .append(" runs or alarms are missing in the history: it was not read in time");
+        .append(" runs or alarms are missing from the history: it was not read in time");
     if (events.put(event)) reports_lost = lost;
   }
 

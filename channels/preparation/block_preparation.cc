@@ -279,9 +279,9 @@ std::optional<Diagnostic> BlockPreparation::refuse_parked_axes(const lang::Move&
   while ((refused >> axis & 1U) == 0) ++axis;
   Diagnostic d;
   d.code = "E5102";
-  d.message = "axis " + channel_.words.at(axis) + " takes no part in scheme " +
+  d.message = "axis " + channel_.words.at(axis) + " is not part of scheme " +
               std::to_string(scheme->config().id);
-  d.help = {"change to a scheme with this axis by #kinematics, or take the word out"};
+  d.help = {"use #kinematics to change to a scheme with this axis, or remove the word"};
   return d;
 }
 
@@ -319,8 +319,8 @@ std::optional<Diagnostic> BlockPreparation::refuse_pole(const motion::PathBlock&
   Diagnostic d;
   d.code = "E5103";
   d.message = "the path comes within " + four_decimals(distance) +
-              " mm of the centre of the face, where its rotary axis would have to jump";
-  d.help = {"pass at least 0.02 mm and the path tolerance beside the centre, or leave G12.1"};
+              " mm of the center of the face, where the rotary axis would have to jump";
+  d.help = {"keep 0.02 mm plus the path tolerance away from the center, or leave G12.1"};
   return d;
 }
 

@@ -78,13 +78,13 @@ std::optional<Diagnostic> FaceTransformation::refusal(const lang::Transformation
       kinematics::scheme_defect(scheme_of(change, active.config(), kinematics::FaceSide::positive));
   if (!defect.empty()) {
     return refused("no " + name_of(change) + " transformation here: " + defect,
-                   "change to a scheme of type lathe or cartesian with the rotary axis before");
+                   "change to a scheme of type lathe or cartesian that has the rotary axis first");
   }
   const motion::AxisLimits& limits = motion_.axes[change.rotary_axis];
   const bool is_endless = std::isinf(limits.position_min) && std::isinf(limits.position_max);
   if (change.kind == lang::Transformation::polar_face && !is_endless) {
-    return refused("the rotary axis of a face must turn without end",
-                   "take `min` and `max` out of its [[axis]] in the machine file");
+    return refused("the rotary axis of a face must turn without limits",
+                   "remove `min` and `max` from its [[axis]] in the machine file");
   }
   return std::nullopt;
 }

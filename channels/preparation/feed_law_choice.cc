@@ -47,7 +47,7 @@ motion::LawUnits units_of(const lang::FeedLaw& wanted) {
 // it.
 Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) {
   if (place.block_mm <= 0.0) {
-    return misfit("a feed law with `S_k` but without `dl` has no length to spread over",
+    return misfit("a feed law with `S_k` but without `dl` has no length over which it is spread",
                   "give `dl`, or write the addresses in the block with the motion");
   }
   const double change = wanted.feed_last - wanted.feed_first;
@@ -58,7 +58,7 @@ Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) 
     return misfit(six_digits(count) + " increments of `dS` do not fit into " +
                       six_digits(place.block_mm) + " mm in steps of " +
                       six_digits(place.increment_mm) + " mm",
-                  "take a larger `dS`");
+                  "use a larger `dS`");
   }
   const bool has_speed = wanted.speed != lang::FeedLaw::Speed::unchanged;
   return std::make_unique<const motion::LinearLaw>(
@@ -93,7 +93,7 @@ Made make_linear(const lang::FeedLaw& wanted, const LawPlace& place) {
       .speed_step = wanted.speed_step};
   if (wanted.speed_last > 0.0) {
     if (parameters.increments_max == 0) {
-      return misfit("`dl` is longer than the path of the law", "take a smaller `dl`");
+      return misfit("`dl` is longer than the path of the law", "use a smaller `dl`");
     }
     parameters.speed_step =
         (wanted.speed_last - wanted.speed_first) / static_cast<double>(parameters.increments_max);

@@ -41,10 +41,10 @@ std::optional<Diagnostic> feed_above_limit(const motion::Segment& segment,
   Diagnostic warning;
   warning.severity = Severity::warning;
   warning.code = "W810";
-  warning.message = text("the feed of %.6g %s is above %.6g, which the axes can do",
+  warning.message = text("the feed of %.6g %s is above %.6g, the limit of the axes",
                          s_per_min * segment.feed_per_s, unit_of(segment, motion),
                          s_per_min / segment.bounds.velocity);
-  warning.help = {"nothing needs to be done; further blocks like this are not named"};
+  warning.help = {"no action is needed; further blocks like this are not reported"};
   return warning;
 }
 
@@ -69,9 +69,9 @@ std::optional<Diagnostic> tap_refusal(const motion::PathBlock& line, const motio
   Diagnostic refusal;
   refusal.code = "E5302";
   refusal.message =
-      text("the tap would need %.6g %s, the axes reach %.6g", s_per_min * segment.feed_per_s,
-           "mm/min", s_per_min / segment.bounds.velocity);
-  refusal.help = {"turn the spindle more slowly, or cut a smaller lead"};
+      text("the tap would need %.6g %s, but the limit of the axes is %.6g",
+           s_per_min * segment.feed_per_s, "mm/min", s_per_min / segment.bounds.velocity);
+  refusal.help = {"reduce the spindle speed, or cut a smaller lead"};
   return refusal;
 }
 

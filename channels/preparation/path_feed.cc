@@ -37,8 +37,9 @@ Diagnostic no_probe(int channel, int input) {
   diagnostic.code = "E4323";
   diagnostic.message = "channel " + std::to_string(channel) + " has no probe";
   if (!is_first) diagnostic.message += " P" + std::to_string(input);
-  diagnostic.help = {is_first ? "give the channel a probe_input in the machine file"
-                              : "give the channel skip_inputs in the machine file: of P2, P3, P4"};
+  diagnostic.help = {is_first
+                         ? "add probe_input to the channel in the machine file"
+                         : "add skip_inputs (for P2, P3, P4) to the channel in the machine file"};
   return diagnostic;
 }
 

@@ -23,7 +23,7 @@ Progress Preparation::step() {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    break_off("E8002", "there is not enough memory for what the program needs");
+    break_off("E8002", "there is not enough memory for the program");
   } catch (const std::exception& fault) {
     break_off("A9001", fault.what());
   }
@@ -131,7 +131,7 @@ bool Preparation::stands_elsewhere(const Stand& stand) {
   Diagnostic fault;
   fault.code = "A9001";
   fault.message = "the situation shown is " + std::to_string(stand.situation) +
-                  ", the one of the next block " + std::to_string(situation_);
+                  ", that of the next block is " + std::to_string(situation_);
   fail(fault, parts_.feed.tag_at(0));
   return true;
 }

@@ -17,7 +17,7 @@ Diagnostic standing_spindle() {
   Diagnostic d;
   d.code = "E4021";
   d.message = "feed per revolution needs a spindle that turns";
-  d.help = {"program S and M3 or M4 before, or feed per minute with G94"};
+  d.help = {"program S and M3 or M4 first, or use feed per minute (G94)"};
   return d;
 }
 
@@ -45,14 +45,14 @@ Diagnostic vanishing_value(const motion::FeedLaw& law, double path_mm, LawValue 
   const bool is_feed = value == &motion::LawStretch::feed;
   std::array<char, 128> text{};
   std::snprintf(text.data(), text.size(),
-                "the %s comes to %.6g %s after %.6g mm of its path of %.6g mm",
+                "the %s reaches %.6g %s after %.6g mm of its path of %.6g mm",
                 is_feed ? "feed law" : "speed of the law", law.stretch(last).*value,
                 unit_of(law.units(), value), place, path_mm);
   Diagnostic d;
   d.code = "E5106";
   d.message = text.data();
-  d.help = {is_feed ? "take a smaller `dS`, a longer `dl`, or end the law before"
-                    : "take a smaller step of the speed, a longer `dl`, or end the law before"};
+  d.help = {is_feed ? "use a smaller `dS` or a longer `dl`, or end the law earlier"
+                    : "use a smaller step of the speed or a longer `dl`, or end the law earlier"};
   return d;
 }
 

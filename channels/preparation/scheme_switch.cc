@@ -77,8 +77,9 @@ Diagnostic unreachable_pose(const motion::Unreachable& pose, const ChannelConfig
   Diagnostic diagnostic;
   diagnostic.code = "E5101";
   diagnostic.message = "axis " + axis + " would go to machine position " + number(pose.position) +
-                       ", its limit is " + number(pose.limit);
-  diagnostic.help = {"check work offset, tool length and kinematic scheme, or move the workpiece"};
+                       ", but its limit is " + number(pose.limit);
+  diagnostic.help = {
+      "check the work offset, the tool length and the kinematic scheme, or move the workpiece"};
   return diagnostic;
 }
 

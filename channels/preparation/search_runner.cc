@@ -15,7 +15,7 @@ Diagnostic no_such_target(const std::string& text) {
   Diagnostic diagnostic;
   diagnostic.code = "E6040";
   diagnostic.message = "`" + text + "` names no block";
-  diagnostic.help = {"name a line, 120, or a block number, N40; in another file, sub.nc:120"};
+  diagnostic.help = {"give a line (120) or a block number (N40); in another file: sub.nc:120"};
   return diagnostic;
 }
 
@@ -185,18 +185,19 @@ std::optional<Diagnostic> SearchRunner::obstacle_at_target() const {
   if (search_->scheme != parts_.scheme) {
     const std::string scheme = std::to_string(search_->scheme->config().id);
     diagnostic.code = "E6043";
-    diagnostic.message = "at the target the channel has the kinematic scheme " + scheme +
-                         ", now it has " + std::to_string(parts_.scheme->config().id);
-    diagnostic.help = {"stanok kinematics select " + scheme +
-                       ", then begin behind the switch without calculation, or before it"};
+    diagnostic.message = "at the target the channel has kinematic scheme " + scheme +
+                         ", but at present it has " + std::to_string(parts_.scheme->config().id);
+    diagnostic.help = {
+        "stanok kinematics select " + scheme +
+        ", then begin after the switch without calculation; or begin before the switch"};
     return diagnostic;
   }
   const auto& converted = search_->collector.state().spindles_as_axes;
   if (!converted.empty()) {
     diagnostic.code = "E6044";
     diagnostic.message =
-        "at the target spindle " + std::to_string(*converted.begin()) + " is an axis";
-    diagnostic.help = {"begin before its M902, or behind its M903"};
+        "at the target, spindle " + std::to_string(*converted.begin()) + " is an axis";
+    diagnostic.help = {"begin before its M902 or after its M903"};
     return diagnostic;
   }
   return std::nullopt;

@@ -99,14 +99,14 @@ bool ThreadPreparation::continues(const lang::SynchronousMove& move) const {
 std::optional<Diagnostic> ThreadPreparation::refusal(const lang::SynchronousMove& move) const {
   if (spindles_.empty()) {
     return fault("E5301", "a thread needs a spindle, which the channel does not have",
-                 "give the channel a spindle with an encoder in the machine file");
+                 "add a spindle with an encoder to the channel in the machine file");
   }
   const SpindleConfig& spindle = spindles_[index_of(move.spindle)].config;
   if (spindle.encoder_pulses <= 0) {
     return fault("E5301",
                  "a thread needs the angle of spindle " + std::to_string(spindle.id) +
                      ", which has no encoder",
-                 "enter `encoder`, its pulses per revolution, in the machine file, or tap with G84 "
+                 "enter `encoder` (pulses per revolution) in the machine file, or tap with G84 "
                  "and a floating chuck");
   }
   if (move.kind == lang::SynchronousMove::Kind::rigid_tap && spindle.acceleration <= 0.0) {
@@ -168,11 +168,11 @@ std::optional<Diagnostic> ThreadPreparation::tried_tap() const {
   if (trial.succeeds_at(rev_per_min_)) return std::nullopt;
   const double speed = std::floor(trial.fastest_below(rev_per_min_));
   return fault("A4001",
-               "the axes cannot follow the spindle into this hole and out of it at " +
+               "the axes cannot follow the spindle into and out of this hole at " +
                    short_number(rev_per_min_) + " rev/min",
                speed >= 1.0
-                   ? "turn the spindle with at most S" + short_number(speed) + ", or tap deeper"
-                   : "tap deeper: the axes have no way to catch the spindle up on");
+                   ? "use at most S" + short_number(speed) + ", or tap deeper"
+                   : "tap deeper: the path is too short for the axes to catch up with the spindle");
 }
 
 Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) const {
@@ -183,17 +183,16 @@ Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) co
     case Kind::unreachable:
       return unreachable_pose({{}, found.axis, found.value, found.limit}, channel_);
     case Kind::axis_too_slow:
-      return fault("E5302",
-                   "axis " + axis_word(channel_, found.axis) + " would need " +
-                       short_number(found.value) + " mm/s at " + speed +
-                       ", its limit on a thread is " + short_number(found.limit),
-                   "turn the spindle with at most S" + speed_text(found.speed_max) + by_itself +
-                       ", or cut a smaller lead");
+      return fault(
+          "E5302",
+          "axis " + axis_word(channel_, found.axis) + " would need " + short_number(found.value) +
+              " mm/s at " + speed + ", but its limit in a thread is " + short_number(found.limit),
+          "use at most S" + speed_text(found.speed_max) + by_itself + ", or cut a smaller lead");
     case Kind::corner_too_sharp:
       return fault(
           "E5303",
           "the corner before this block of the thread is too sharp for the axes at " + speed,
-          "turn the spindle with at most S" + speed_text(found.speed_max) + by_itself +
+          "use at most S" + speed_text(found.speed_max) + by_itself +
               ", or allow a larger tolerance with G64 P");
     case Kind::encoder_too_coarse: {
       const SpindleConfig& spindle = spindles_[spindle_].config;
@@ -203,13 +202,14 @@ Diagnostic ThreadPreparation::diagnostic_of(const motion::ThreadFault& found) co
               std::to_string(spindle.encoder_pulses) +
               " pulses per revolution, is too coarse for this lead and the jerk of the axes",
           "cut a lead of at most " + short_number(found.lead_max) +
-              " mm, or enter the counts that the encoder really gives, with all edges");
+              " mm, or enter the number of counts that the encoder really delivers, with all "
+              "edges");
     }
     case Kind::too_many_blocks:
       break;
   }
   return fault("E5304", "a thread has more than 500 blocks without a stop",
-               "divide it by a block of another kind");
+               "split it with a block of another kind");
 }
 
 }  // namespace stanok::channels

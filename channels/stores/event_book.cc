@@ -16,7 +16,7 @@ void EventBook::tell_loss(std::int64_t cycle) RT_SAFE {
   loss.cycle = cycle;
   loss.code = FixedText<8>("W721");
   loss.text.append(static_cast<long>(untold_))
-      .append(" messages before this one are missing: they were not taken in time");
+      .append(" messages before this one are missing: they were not read in time");
   static_cast<void>(events_.push(loss));  // there is room for it
   untold_ = 0;
 }

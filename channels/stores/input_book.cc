@@ -39,8 +39,8 @@ void InputBook::tell(std::int64_t cycle) RT_SAFE {
   event.text = FixedText<240>("inputs from cycle ");
   event.text.append(static_cast<long>(cycle))
       .append(
-          " on are missing in the recording: the recorder fell behind; the log can be repeated "
-          "up to there only");
+          " on are missing from the recording: the recorder was too slow; the log can be replayed "
+          "only up to this cycle");
   untold_cycle_ = events_.put(event) ? 0 : cycle;
 }
 

@@ -20,7 +20,8 @@ std::optional<Diagnostic> SharedVariables::declare(const lang::SharedVariable& v
   const auto known = entries_.find(variable.name);
   if (known != entries_.end()) {
     if (same_declaration(known->second.variable, variable)) return std::nullopt;
-    diagnostic.message = "`shared " + variable.name + "` has another type or size elsewhere";
+    diagnostic.message =
+        "`shared " + variable.name + "` is declared with another type or size elsewhere";
     diagnostic.notes.push_back({"first declared here", known->second.variable.place});
     return diagnostic;
   }

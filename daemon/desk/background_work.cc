@@ -48,7 +48,7 @@ void BackgroundWork::submit(int session, Work work, Answer answer) {
     }
   }
   answer(Unexpected<Failure>(
-      Failure{FailureKind::refused, "E9007", "too many requests wait already", 0, {}}));
+      Failure{FailureKind::refused, "E9007", "too many requests are waiting already", 0, {}}));
 }
 
 void BackgroundWork::cancel(int session) {

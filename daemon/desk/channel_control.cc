@@ -10,7 +10,7 @@ using protocol::Failure;
 namespace {
 
 Failure refusal(int channel, const std::string& holder) {
-  std::string text = "channel " + std::to_string(channel) + " is under control of " + holder;
+  std::string text = "channel " + std::to_string(channel) + " is controlled by " + holder;
   return {protocol::FailureKind::refused, "E6080", std::move(text), channel, {}};
 }
 

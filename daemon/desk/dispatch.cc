@@ -420,7 +420,8 @@ CommandResult Dispatch::start_queue(const Call& call) {
   const double age_s =
       static_cast<double>(machine_.cycles() - asked.cycle) * machine.cycle_us * 1e-6;
   if (asked.cycle >= 0 && age_s > machine.request_age_max_s)
-    return fail(FailureKind::refused, "E6073", "who asked had seen the machine as it was long ago",
+    return fail(FailureKind::refused, "E6073",
+                "the sender of the command last saw the state of the machine too long ago",
                 channel);
   return queue_.start(channel, {call.session.id, call.session.peer, asked});
 }
@@ -483,8 +484,9 @@ CommandResult Dispatch::make_drive_fail(const Call& call) {
   if (const auto obstacle = control_.obstacle_to_all(call.session.id))
     return Unexpected<Failure>(*obstacle);
   if (machine_.drive_choice() != "embedded") {
-    return fail(FailureKind::refused, "E6051",
-                "the drives are " + machine_.drive_choice() + ", not simulated by this daemon");
+    return fail(
+        FailureKind::refused, "E6051",
+        "the drives are " + machine_.drive_choice() + ", they are not simulated by this daemon");
   }
   const auto drive = call.parameters["drive"].get<std::string>();
   const auto fault = plant::fault_named(call.parameters["fault"].get<std::string>());

@@ -18,7 +18,7 @@ Unexpected<Failure> unreadable_log(const std::string& reason) {
 Expected<fs::path, Failure> log_named(const RecordingStatus& status, const std::string& name) {
   const fs::path plain(name);
   if (plain.filename() != plain || plain.extension() != log_ending)
-    return unreadable_log(name + ": no name of a log; history.logs lists them");
+    return unreadable_log(name + ": not the name of a log; history.logs lists the logs");
   return status.log_directory / plain;
 }
 
@@ -27,7 +27,7 @@ std::optional<Failure> too_large(const fs::path& log) {
   const std::uintmax_t bytes = fs::file_size(log, error);
   if (error || bytes <= bytes_max) return std::nullopt;
   return unreadable_log(log.filename().string() + " has " + std::to_string(bytes >> 20U) +
-                        " MiB; up to 64 are read beside the machine")
+                        " MiB; the daemon reads logs of up to 64 MiB")
       .value();
 }
 

@@ -83,7 +83,7 @@ json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number, Pla
 
 CommandResult path_is_gone() {
   return Unexpected<Failure>(
-      Failure{FailureKind::refused, "E9018", "there is another path now", 0, {}});
+      Failure{FailureKind::refused, "E9018", "a newer path has replaced it", 0, {}});
 }
 
 }  // namespace

@@ -149,7 +149,8 @@ void ProgramDesk::write(int session, const json& parameters, Answer answer) {
   const std::string name = program_of(parameters);
   if (!gather(session, name, parameters["text"].get<std::string>())) {
     uploads_.erase(session);
-    return answer(fail({FailureKind::refused, "E9007", "too much text is on its way", 0, {}}));
+    return answer(
+        fail({FailureKind::refused, "E9007", "too much text is being transferred", 0, {}}));
   }
   if (parameters.value("more", 0) != 0) {
     const std::size_t bytes = uploads_[session].text.size();

@@ -106,11 +106,11 @@ std::optional<Failure> ProgramFolder::conflict(const std::string& name,
   if (expected.version == "any") return std::nullopt;
   const auto now = there ? std::optional(there->version) : std::nullopt;
   if (now == expected.version) return std::nullopt;
-  const std::string known = expected.version ? "version " + *expected.version : "no such program";
-  const std::string is = now ? "version " + *now : "no such program any more";
+  const std::string known = expected.version ? "version " + *expected.version : "no program";
+  const std::string is = now ? "version " + *now : "no program";
   return Failure{FailureKind::refused,
                  "E9019",
-                 name + " was changed by somebody else: " + known + " was expected, there is " + is,
+                 name + " was changed by somebody else: expected " + known + ", found " + is,
                  0,
                  {}};
 }
@@ -126,11 +126,11 @@ Expected<std::string, Failure> ProgramFolder::write(const std::string& name,
   if (const auto other = conflict(name, *there, expected)) return Unexpected<Failure>(*other);
   if (*there && expected.version != "any" && !is_utf8((*there)->text))
     return Unexpected<Failure>(cannot_write(
-        name, "its text is not UTF-8, and characters were lost on the way; convert it first"));
+        name, "its text is not UTF-8, and characters would be lost; convert it first"));
   const fs::path place = place_of(root_, name, *there);
   const std::string file = place.filename().string();
   if (file.empty() || file.starts_with('.'))
-    return Unexpected<Failure>(cannot_write(name, "names of programs do not begin with a point"));
+    return Unexpected<Failure>(cannot_write(name, "names of programs must not begin with a dot"));
   const FileDescriptor folder(open_folder(root_, place.parent_path()));
   if (!folder.is_open()) return Unexpected<Failure>(cannot_write(name, system_error_text(errno)));
   if (const int error = replace(folder.number(), file, text); error != 0)

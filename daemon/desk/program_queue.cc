@@ -44,7 +44,7 @@ std::string_view end_by(OperatorAction action) {
     case OperatorAction::program_search:
       return "another program was loaded";
     case OperatorAction::mdi:
-      return "a line was executed by hand";
+      return "an MDI line was executed";
     default:
       return {};
   }
@@ -66,7 +66,7 @@ ProgramQueue::ProgramQueue(RunningMachine& machine, CommandDesk& desk,
   last_id_ = reserved_id_;
   reserve_ids();
   if (const auto fault = write_durably(file_, queue_kind, text()))
-    spdlog::warn("the queues of programs are not kept: {}", *fault);
+    spdlog::warn("the queues of programs cannot be saved: {}", *fault);
   for (const auto& [id, line] : lines_) changed(id);
 }
 
@@ -156,7 +156,7 @@ void ProgramQueue::add(const json& parameters, int channel, Answer answer) {
   Line& line = lines_[channel];
   auto program = parameters["program"].get<std::string>();
   if (program.find_first_of("\r\n") != std::string::npos)
-    return answer(refused("no program has such a name", channel));
+    return answer(refused("a program cannot have this name", channel));
   if (line.entries.size() >= programs_max) return answer(refused("the queue is full", channel));
   line.entries.push_back({++last_id_, std::move(program)});
   keep({channel, last_id_, std::move(answer)});
@@ -166,7 +166,7 @@ void ProgramQueue::remove(const json& parameters, int channel, Answer answer) {
   Line& line = lines_[channel];
   const auto entry = entry_with(line.entries, parameters["id"].get<std::uint64_t>());
   if (entry == line.entries.end()) return answer(refused("the queue has no such entry", channel));
-  if (entry->id == line.under_way) return answer(refused("this program is under way", channel));
+  if (entry->id == line.under_way) return answer(refused("this program is running", channel));
   line.entries.erase(entry);
   end_if_empty(line);
   keep({channel, 0, std::move(answer)});
@@ -179,7 +179,7 @@ void ProgramQueue::move(const json& parameters, int channel, Answer answer) {
   if (entry == line.entries.end()) return answer(refused("the queue has no such entry", channel));
   const std::size_t place = parameters["place"].get<std::size_t>();
   if (line.under_way != 0 && (entry->id == line.under_way || place == 1))
-    return answer(refused("the first program is under way", channel));
+    return answer(refused("the first program is running", channel));
   Entry moved = std::move(*entry);
   line.entries.erase(entry);
   const std::size_t before = std::min(place - 1, line.entries.size());
@@ -256,13 +256,13 @@ void ProgramQueue::tick() {
 std::string ProgramQueue::obstacle(int channel, const Line& line) {
   const int holder = control_.session_with(channel);
   if (holder != 0 && holder != line.starter.session)
-    return control_.holder(channel) + " has taken the channel";
+    return control_.holder(channel) + " has taken control of the channel";
   const channels::CycleOutput output = machine_.newest_output();
   for (const channels::ChannelOutput& one : output.of_channels()) {
     if (one.state == channels::ChannelState::alarm)
-      return "channel " + std::to_string(one.id) + " is in alarm";
+      return "channel " + std::to_string(one.id) + " has an alarm";
     if (one.id == channel && one.running && line.under_way == 0)
-      return "a program that is not of the queue is under way";
+      return "a program that is not in the queue is running";
   }
   return {};
 }

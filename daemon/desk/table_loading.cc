@@ -60,14 +60,14 @@ Expected<std::vector<OperatorEvent>, Failure> changes_of_tool(const ToolEdge& wa
   for (const auto& [key, value] : after.items()) {
     if (before.at(key) == value) continue;
     if (channels::tool_value_named(key) == 0) {
-      return Unexpected<Failure>(Failure{FailureKind::refused,
-                                         "E9015",
-                                         "tool " + std::to_string(wanted.number) + ", edge " +
-                                             std::to_string(wanted.edge) + ": " + key + " is " +
-                                             protocol::json_text(before.at(key)) + " here and " +
-                                             protocol::json_text(value) + " in the text",
-                                         0,
-                                         {}});
+      return Unexpected<Failure>(Failure{
+          FailureKind::refused,
+          "E9015",
+          "tool " + std::to_string(wanted.number) + ", edge " + std::to_string(wanted.edge) + ": " +
+              key + " is " + protocol::json_text(before.at(key)) + " in the machine, but " +
+              protocol::json_text(value) + " in the text",
+          0,
+          {}});
     }
     commands.push_back(
         event_of(channels::commands::ToolSet{.key = channels::ShortText(std::string_view(key)),
@@ -99,7 +99,9 @@ std::optional<Failure> change_of_reference_point(const TablesConfig& wanted,
         if (value == before) continue;
         std::string text = "reference point " + name;
         text.append(" of channel ").append(std::to_string(channel)).append(": ").append(axis);
-        text.append(" is ").append(protocol::json_text(json(before))).append(" here and ");
+        text.append(" is ")
+            .append(protocol::json_text(json(before)))
+            .append(" in the machine, but ");
         text.append(protocol::json_text(json(value))).append(" in the text");
         return Failure{FailureKind::refused, "E9015", std::move(text), 0, {}};
       }
@@ -143,7 +145,7 @@ void submit_next(const std::shared_ptr<Loading>& loading) {
         }
         Failure failure = outcome.error();
         failure.message += "; " + std::to_string(loading->done) + " of " +
-                           std::to_string(loading->commands.size()) + " values were written before";
+                           std::to_string(loading->commands.size()) + " values had been written";
         loading->answer(Unexpected<Failure>(std::move(failure)));
       });
 }

@@ -68,7 +68,7 @@ class DescriptorSink final : public spdlog::sinks::base_sink<std::mutex> {
     const std::size_t lost = lines_lost_of_process;
     if (lost == lost_told_) return;
     const std::string text = std::to_string(lost - lost_told_) +
-                             " lines are missing here: this log was not read in time, " +
+                             " lines are missing here because this log was not read in time, " +
                              std::to_string(lost) + " in all";
     spdlog::memory_buf_t line;
     formatter_->format({next.time, {}, next.logger_name, spdlog::level::warn, text}, line);

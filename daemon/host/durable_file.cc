@@ -80,12 +80,13 @@ Copy read_copy(const fs::path& file, const DurableKind& kind) {
   copy.is_newer = is_ours && version > kind.version;
   copy.is_good = is_ours && version >= 1 && !copy.is_newer && sum == text_checksum(copy.text);
   if (copy.is_newer) {
-    copy.fault = "is of version " + std::to_string(version) + ", newer than this stanok knows (" +
-                 std::to_string(kind.version) + ")";
+    copy.fault = "has version " + std::to_string(version) +
+                 ", which is newer than this stanok supports (" + std::to_string(kind.version) +
+                 ")";
   } else if (!is_ours) {
     copy.fault = "does not begin with its kind and checksum";
   } else if (!copy.is_good) {
-    copy.fault = "does not have the checksum that it names";
+    copy.fault = "does not match the checksum that it states";
   }
   return copy;
 }
@@ -173,7 +174,7 @@ Expected<std::optional<DurableText>, std::string> read_durably(const fs::path& f
   return Unexpected<std::string>((copy.exists ? file : previous_copy(file)).string() + " " +
                                  (copy.exists ? copy.fault : previous.fault) +
                                  ", and there is no good previous copy; restore it, or move it "
-                                 "away to begin with what the machine file says");
+                                 "away to start with the values of the machine file");
 }
 
 }  // namespace stanok::daemon

@@ -45,11 +45,11 @@ void Journal::read() {
     std::error_code error;
     fs::rename(path_, aside, error);
     spdlog::error("the journal cannot be read: {}; {}", told.fault,
-                  error ? error.message() : "it was put aside as " + aside.string());
+                  error ? error.message() : "it was renamed to " + aside.string());
     return;
   }
   if (told.damaged > 0)
-    spdlog::warn("{} lines of the journal are damaged and left out", told.damaged);
+    spdlog::warn("{} lines of the journal are damaged and were skipped", told.damaged);
   for (const json& record : told.records) contents_.take(record);
 }
 
@@ -142,13 +142,13 @@ void Journal::note_outcome(const std::optional<std::string>& fault) {
     fault_ = fault;
   }
   if (is_new) {
-    spdlog::error("the journal cannot be kept: {}; tried again", *fault);
+    spdlog::error("the journal cannot be saved: {}; the daemon tries again", *fault);
     try {
       on_fault_(*fault);
     } catch (const std::exception&) {  // no memory to say it with; the log has it
     }
   }
-  if (is_over) spdlog::info("the journal is kept again");
+  if (is_over) spdlog::info("the journal is being saved again");
 }
 
 }  // namespace stanok::daemon

@@ -68,7 +68,7 @@ JournalFile::Contents JournalFile::read() const {
     else if (is_whole && !line.empty())
       ++contents.damaged;
   }
-  if (stream.bad()) contents.fault = file_.string() + ": cannot be read to its end";
+  if (stream.bad()) contents.fault = file_.string() + ": the file cannot be read to its end";
   return contents;
 }
 

@@ -72,7 +72,7 @@ void FlightFiles::run(const std::stop_token& stop) {
 
 void FlightFiles::fail(const std::string& why) const {
   spdlog::error("the flight recorder: {}", why);
-  calls_.failed("the flight recorder has written nothing: " + why);
+  calls_.failed("the flight recorder could not write its log: " + why);
 }
 
 void FlightFiles::write_now(const recording::FlightRecording& recording) const {
@@ -87,7 +87,7 @@ void FlightFiles::write_now(const recording::FlightRecording& recording) const {
     return fail(written.error().text);
   }
   keep_newest(directory_, machine_);
-  spdlog::warn("a fault has stopped the machine: its last seconds are in {}", file.string());
+  spdlog::warn("a fault has stopped the machine: the last seconds are in {}", file.string());
   calls_.written(file);
 }
 

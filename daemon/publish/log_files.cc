@@ -94,8 +94,8 @@ void LogFiles::rest() {
   status_.rests = true;
   status_.error = no_room_;
   turns_.store(true, std::memory_order_release);
-  spdlog::error("logging rests: {}", no_room_);
-  trouble_("logging rests: " + no_room_);
+  spdlog::error("logging is paused: {}", no_room_);
+  trouble_("logging is paused: " + no_room_);
 }
 
 // With the mutex.
@@ -112,7 +112,7 @@ void LogFiles::go_on() {
   }
   status_.rests = false;
   status_.error.clear();
-  spdlog::info("logging goes on: {}", file.string());
+  spdlog::info("logging continues: {}", file.string());
   begin_with_next_cycle(std::move(*log), file);
 }
 
@@ -152,13 +152,13 @@ void LogFiles::look_after_folder() {
   auto log = open(file);
   if (!log) {
     if (!has_told_folder_) {
-      spdlog::error("the folder of the log is gone; {}", log.error().text);
-      trouble_("the folder of the log is gone; " + log.error().text);
+      spdlog::error("the folder of the log has disappeared; {}", log.error().text);
+      trouble_("the folder of the log has disappeared; " + log.error().text);
     }
     has_told_folder_ = true;
     return;
   }
-  spdlog::error("the folder of the log {} is gone; a new one begins: {}", status_.file,
+  spdlog::error("the folder of the log {} has disappeared; a new log begins: {}", status_.file,
                 file.string());
   has_told_folder_ = false;
   begin_with_next_cycle(std::move(*log), file);

@@ -159,9 +159,9 @@ std::string LogRetention::why_no_room(const KeptLogs& kept, std::int64_t wanted_
   if (has_room(kept, wanted_bytes)) return {};
   if (limits_.free_bytes_min > 0 && kept.free_bytes) {
     return in_gb(*kept.free_bytes) + " are free on the disk of " + directory_.string() + ", and " +
-           in_gb(limits_.free_bytes_min) + " stay free (free_space_min_gb)";
+           in_gb(limits_.free_bytes_min) + " must stay free (free_space_min_gb)";
   }
-  return "the logs in " + directory_.string() + " have " + in_gb(kept.bytes) + " of " +
+  return "the logs in " + directory_.string() + " use " + in_gb(kept.bytes) + " of " +
          in_gb(limits_.bytes_max) + " (logs_max_gb)";
 }
 

@@ -173,7 +173,7 @@ std::optional<protocol::Failure> obstacle_to_start(RunningMachine& machine, int 
   const auto given = parameters.value("approach", std::uint32_t{0});
   if (given == 0)
     return refused("E6045", "the program would begin at " + target +
-                                ": look at its approach and give its number, " + number);
+                                ": check the approach and give its number, " + number);
   const channels::CycleOutput output = machine.newest_output();
   const channels::ChannelOutput* const now = output.of_channel(channel);
   if (now == nullptr || given != search->number || now->tag.situation != search->situation ||

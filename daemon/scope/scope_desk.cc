@@ -62,8 +62,8 @@ Expected<std::vector<ScopeSignal>, Failure> wanted_signals(const channels::Machi
       return wrong_order("there is no signal " + name + "; scope.signals lists them");
     wanted.push_back(*found);
   }
-  if (wanted.empty()) return wrong_order("signals names none");
-  if (wanted.size() > Scope::signals_max) return wrong_order("signals names more than 8");
+  if (wanted.empty()) return wrong_order("signals names no signal");
+  if (wanted.size() > Scope::signals_max) return wrong_order("signals names more than 8 signals");
   return wanted;
 }
 
@@ -80,11 +80,11 @@ std::optional<std::string> set_trigger(const json& parameters, ScopeOrder& order
   trigger.event = parameters.value("event", std::string());
   trigger.channel = parameters.value("channel", 0);
   trigger.line = parameters.value("line", 0U);
-  if (trigger.kind == Kind::block && trigger.line == 0) return "a block needs its line";
+  if (trigger.kind == Kind::block && trigger.line == 0) return "a block trigger needs a line";
   if (trigger.kind != Kind::level) return std::nullopt;
   const auto name = parameters.value("signal", order.signals.front().name);
   const auto found = std::ranges::find(order.signals, name, &ScopeSignal::name);
-  if (found == order.signals.end()) return "signal must be one of those that are recorded";
+  if (found == order.signals.end()) return "signal must be one of the recorded signals";
   trigger.signal = checked_size(found - order.signals.begin());
   return std::nullopt;
 }
@@ -124,8 +124,8 @@ Expected<json, Failure> start_scope(Scope& scope, const channels::MachineConfig&
   order.cycles = std::max<std::size_t>(1, cycles_in(length_s, machine));
   if (order.cycles > Scope::cycles_max)
     return wrong_order(
-        "at this cycle time at most " +
-        std::to_string(Scope::cycles_max * checked_size(machine.cycle_us) / 1'000'000) + " s fit");
+        "at this cycle time a recording has at most " +
+        std::to_string(Scope::cycles_max * checked_size(machine.cycle_us) / 1'000'000) + " s");
   if (order.trigger.kind != Kind::none)
     order.before = cycles_in(parameters.value("before_s", length_s / 4), machine);
   if (order.before >= order.cycles) return wrong_order("before_s must be shorter than length_s");

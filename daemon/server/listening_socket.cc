@@ -47,12 +47,13 @@ void clear_the_way(const std::filesystem::path& path, const sockaddr_un& address
   struct stat status{};
   if (::lstat(path.c_str(), &status) != 0) return;
   if (!S_ISSOCK(status.st_mode))
-    throw SocketError(path.string() + ": there is a file that is no socket");
+    throw SocketError(path.string() + ": a file that is not a socket has this name");
   const int probe = new_socket(path);
   const int outcome = ::connect(probe, reinterpret_cast<const sockaddr*>(&address), sizeof address);
   const int error = outcome == 0 ? 0 : errno;
   ::close(probe);
-  if (error != ECONNREFUSED) throw SocketError(path.string() + ": another daemon listens there");
+  if (error != ECONNREFUSED)
+    throw SocketError(path.string() + ": another daemon is listening there");
   if (::unlink(path.c_str()) != 0) fail(path, errno);
 }
 

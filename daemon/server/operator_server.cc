@@ -190,10 +190,10 @@ void OperatorServer::Parts::look_after_socket(SteadyTime now) {
   if (socket.is_there()) return;
   try {
     socket.renew();
-    spdlog::error("the socket {} was removed; there is a new one", socket.path().string());
+    spdlog::error("the socket {} was removed; a new one was created", socket.path().string());
     reception.listen_on(socket.release());
   } catch (const SocketError& error) {
-    spdlog::error("the socket was removed: {}; tried again", error.what());
+    spdlog::error("the socket was removed: {}; the daemon tries again", error.what());
   }
 }
 

@@ -198,7 +198,7 @@ void Reception::Parts::drop_overdue() {
     if (session->has_overstayed(now)) {
       session->close();
     } else if (session->has_frame_begun_before(now - limits.frame_time_max)) {
-      session->drop("E9001", "a request was begun and not finished in time");
+      session->drop("E9001", "a request was not finished in time");
       sessions.count_places();
     }
   }
@@ -209,7 +209,7 @@ void Reception::Parts::close_all() {
   try {
     for (const auto& session : sessions.all()) session->close();
   } catch (const std::exception& fault) {
-    spdlog::error("clients were not told of the end: {}", fault.what());
+    spdlog::error("clients were not notified of the shutdown: {}", fault.what());
   }
 }
 
@@ -223,7 +223,8 @@ void Reception::Parts::await_signal() {
 
 // A second reason hastens nothing: a terminal that is closed sends several signals.
 void Reception::Parts::begin_end(const std::string& why) {
-  if (ending.has_begun()) return spdlog::info("asked to end {} while it is ending already", why);
+  if (ending.has_begun())
+    return spdlog::info("asked to end {} while it is already shutting down", why);
   ending.begin(std::chrono::steady_clock::now());
   spdlog::info("ending {}: feed hold, then drives off", why);
 }

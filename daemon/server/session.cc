@@ -96,8 +96,7 @@ void Session::take(std::size_t bytes) {
 void Session::send(std::string line) {
   if (farewell_.dropping || !socket_.is_open()) return;
   const bool was_empty = output_.empty();
-  if (!output_.push(std::move(line)))
-    return drop("E9009", "the client does not read what it is sent");
+  if (!output_.push(std::move(line))) return drop("E9009", "the client does not read its messages");
   has_room_for_status_ = output_.has_room_for_status();
   if (was_empty) write();
 }

@@ -28,7 +28,7 @@ bool SessionList::make_room() {
     return session.has_place() && session.role() == protocol::Role::observer;
   });
   if (observer == nullptr) return false;
-  observer->drop("E9008", "the connection was closed because an operator needs its place");
+  observer->drop("E9008", "the connection was closed to make room for an operator");
   return true;
 }
 

@@ -38,7 +38,7 @@ void refuse_overtaken(std::span<const channels::OperatorEvent> events, channels:
     reply.id = event.id;
     reply.ok = false;
     reply.code = FixedText<8>("E6072");
-    reply.text = FixedText<240>("a stop was asked for after this and came first");
+    reply.text = FixedText<240>("a stop that was given later arrived before this command");
     machine.answer(reply);
   }
 }

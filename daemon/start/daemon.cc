@@ -143,7 +143,8 @@ std::optional<uid_t> panel_user(const std::string& name) {
   if (name.empty()) return std::nullopt;
   const passwd* entry = ::getpwnam(name.c_str());  // NOLINT(concurrency-mt-unsafe): at start
   if (entry != nullptr) return entry->pw_uid;
-  spdlog::warn("there is no user {}: pages that it serves have the rights of the socket", name);
+  spdlog::warn("there is no user {}: pages served by this user have the rights of the socket",
+               name);
   return std::nullopt;
 }
 

@@ -73,8 +73,8 @@ void start_where_kept(const channels::AxisRow& kept, channels::MachineConfig& ma
     if (is_within(position->second, axis)) {
       axis.start = position->second;
     } else {
-      spdlog::warn("axis {} stood at {}, which is not between its limits; it starts at {}",
-                   axis.name, position->second, axis.start);
+      spdlog::warn("axis {} was at {}, which is not between its limits; it starts at {}", axis.name,
+                   position->second, axis.start);
     }
   }
 }

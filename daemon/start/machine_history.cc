@@ -79,7 +79,7 @@ void MachineHistory::announce_to(Announce announce) {
 }
 
 void MachineHistory::tell_not_kept(const std::string& what, const std::string& fault) {
-  tell("W940", what + " cannot be kept: " + fault);
+  tell("W940", what + " cannot be saved: " + fault);
 }
 
 }  // namespace stanok::daemon

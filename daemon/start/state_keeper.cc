@@ -53,10 +53,10 @@ std::optional<std::string> StateKeeper::try_to_save() {
     fault = thrown.what();
   }
   if (fault && !has_told_fault_) {
-    spdlog::error("{} cannot be kept: {}; tried again", kind_.name, *fault);
+    spdlog::error("{} cannot be saved: {}; the daemon tries again", kind_.name, *fault);
     tell(*fault);
   }
-  if (!fault && has_told_fault_) spdlog::info("{} are kept again", kind_.name);
+  if (!fault && has_told_fault_) spdlog::info("{} are being saved again", kind_.name);
   has_told_fault_ = fault.has_value();
   return fault;
 }

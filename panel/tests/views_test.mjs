@@ -430,7 +430,7 @@ describe('users', () => {
     await other.getByText('controlled by operator', { exact: true }).waitFor();
     await other.getByRole('button', { name: 'Start', exact: true }).first().click();
     await other.getByRole('alert').getByText('E6').waitFor();
-    await other.getByRole('alert').getByText('under control of operator').waitFor();
+    await other.getByRole('alert').getByText('controlled by operator').waitFor();
     assert.doesNotMatch(await other.innerText('main'), /session \d|uid \d|pid \d/);
     assert.doesNotMatch(await other.getByRole('alert').innerText(), /session \d|uid \d|pid \d/);
     await other.context().close();

@@ -81,7 +81,7 @@ void LiveWorkpieces::give_up(std::string_view reason) {
   const std::lock_guard lock(mutex_);
   for (Seat& seat : seats_) seat.workpiece = nullptr;
   try {
-    complain_("live workpieces are given up: " + std::string(reason));
+    complain_("live workpieces have stopped: " + std::string(reason));
   } catch (...) {
     return;
   }

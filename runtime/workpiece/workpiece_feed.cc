@@ -45,8 +45,8 @@ simulation::Blank blank_of(int type, const double* size, const double* zero, dou
 
 // What the messages of a blank from a file lack.
 constexpr const char* not_in_messages =
-    "the blank is an STL file, which logs and messages do not hold: let `stanok simulate` cut the "
-    "program, or look at the page of the daemon";
+    "the blank is an STL file, which logs and messages do not contain: use `stanok simulate` to "
+    "cut the program, or see the page of the daemon";
 
 // The STL file of a blank as it was when the program was loaded.
 void read_solid(const channels::Workpiece& workpiece, simulation::Blank& blank) {
@@ -57,7 +57,7 @@ void read_solid(const channels::Workpiece& workpiece, simulation::Blank& blank) 
   }
   if (recording::text_hash(*bytes) != workpiece.shape.fingerprint) {
     blank.unknown_because =
-        fmt::format("{} is no more as it was when the program was loaded; load the program again",
+        fmt::format("{} has changed since the program was loaded; load the program again",
                     workpiece.file.view());
     return;
   }

@@ -48,7 +48,7 @@ TEST_F(DriveFaults, TheAlarmNamesTheAxisOfTheDrive) {
 TEST_F(DriveFaults, AnAxisThatDoesNotFollowIsNamed) {
   drives[1].strays = true;
   EXPECT_EQ(alarm(), "A3003 the drive of axis " + axes[1].name +
-                         " does not follow its setpoints, or does not tell where it is");
+                         " does not follow its setpoints or report its position");
 }
 
 TEST_F(DriveFaults, ADriveThatSwitchesItselfOffStopsTheChannel) {

@@ -185,7 +185,7 @@ TEST(FeedLawRun, RefusesALawThatComesToZero) {
   ASSERT_EQ(alarms.size(), 1U);
   EXPECT_EQ(alarms[0].diagnostic.place.line, 4);
   EXPECT_EQ(alarms[0].diagnostic.message,
-            "the feed law comes to 0 mm/min after 10 mm of its path of 19 mm");
+            "the feed law reaches 0 mm/min after 10 mm of its path of 19 mm");
 }
 
 TEST(FeedLawRun, DoesNotCountBlocksOfRotaryAxesAlone) {

@@ -145,7 +145,7 @@ TEST_F(SchemeSwitchTest, TheSamePoseIsTheSameTipInBothSchemes) {
 
 TEST_F(SchemeSwitchTest, ParkedAxesCannotBeProgrammed) {
   run("G0 B5\nM30\n");
-  EXPECT_THAT(alarm(), HasSubstr("E5102 axis B takes no part in scheme 1"));
+  EXPECT_THAT(alarm(), HasSubstr("E5102 axis B is not part of scheme 1"));
   EXPECT_EQ(bench->channel(1).axes[mill_B].position, 0.0);
 }
 

@@ -176,7 +176,7 @@ TEST(SpindleLaw, IsRefusedWhereItsSpeedComesToZero) {
     ASSERT_EQ(alarms.size(), 1U);
     EXPECT_EQ(alarms[0].diagnostic.place.line, 4);
     EXPECT_THAT(alarms[0].diagnostic.message,
-                ::testing::StartsWith("the speed of the law comes to 0 "));
+                ::testing::StartsWith("the speed of the law reaches 0 "));
     EXPECT_THAT(alarms[0].diagnostic.message,
                 ::testing::EndsWith(" after 2.5 mm of its path of 8 mm"));
   }

@@ -270,7 +270,8 @@ TEST(FloatingTap, IsRefusedWhereTheAxisIsTooSlow) {
   EXPECT_THAT(bench.alarm_codes(), ElementsAre("E5302"));
   const auto alarms = bench.machine().alarms();
   ASSERT_EQ(alarms.size(), 1U);
-  EXPECT_EQ(alarms[0].diagnostic.message, "the tap would need 24000 mm/min, the axes reach 15000");
+  EXPECT_EQ(alarms[0].diagnostic.message,
+            "the tap would need 24000 mm/min, but the limit of the axes is 15000");
   EXPECT_EQ(alarms[0].diagnostic.place.line, 4);
   EXPECT_EQ(bench.channel(1).point_W[2].value, 2.0);
 }

@@ -436,9 +436,8 @@ TEST(Thread, IsRefusedWhereAnAxisIsTooSlowForIt) {
   ASSERT_EQ(alarms.size(), 1U);
   EXPECT_EQ(alarms[0].diagnostic.code, "E5302");
   EXPECT_EQ(alarms[0].diagnostic.message,
-            "axis Z would need 300 mm/s at 3000 rev/min, its limit on a thread is 247.5");
-  EXPECT_EQ(alarms[0].diagnostic.help[0],
-            "turn the spindle with at most S2475, or cut a smaller lead");
+            "axis Z would need 300 mm/s at 3000 rev/min, but its limit in a thread is 247.5");
+  EXPECT_EQ(alarms[0].diagnostic.help[0], "use at most S2475, or cut a smaller lead");
   EXPECT_EQ(bench.channel(1).axes[lathe_Z].position, 2.0);
 }
 

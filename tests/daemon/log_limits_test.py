@@ -103,7 +103,7 @@ def rests_without_room(stanokd, stanok, machine_file):
             expect(status["file"]["rests"] and "free_space_min_gb" in status["file"]["error"], status)
             alarms = machine.operator.ask("alarm.list")["alarms"]
             expect([alarm["code"] for alarm in alarms] == ["E9026"], alarms)
-            expect("logging rests" in alarms[0]["text"], alarms)
+            expect("logging is paused" in alarms[0]["text"], alarms)
             machine.operator.ask("machine.on")
             shown = subprocess.run([stanok, "--socket", machine.socket_path, "alarm", "list"], check=True,
                                    capture_output=True, text=True).stdout

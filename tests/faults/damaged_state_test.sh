@@ -62,5 +62,5 @@ done
 rm -rf "$folder/state"
 cp -a "$folder/sound" "$folder/state"
 make_newer "$tables"
-expect_refusal 'newer than this stanok knows' "a newer version"
+expect_refusal 'newer than this stanok supports' "a newer version"
 echo "damaged state: passed"

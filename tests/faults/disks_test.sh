@@ -65,10 +65,10 @@ expect_exit 1 offset set G54 X 12.5 --json
 expect_output 'E9025' "a change that the disk does not keep"
 expect_exit 0 offset list --json
 expect_output '"X":12.5' "it is in force all the same"
-await_line 'tables cannot be kept.*No space left'
+await_line 'tables cannot be saved.*No space left'
 run_through short.nc
 rm "$folder/state/filler"
-await_line 'tables are kept again'
+await_line 'tables are being saved again'
 grep -q 'X = 12.5' "$folder/state/tables.toml" || fail "the offset was not kept"
 
 expect_exit 0 system shutdown

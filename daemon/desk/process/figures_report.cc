@@ -94,8 +94,7 @@ CommandResult turning(const FiguresRequest& request) {
   const auto stock = stock_of(request.parameters.value("stock", std::string()));
   if (!stock) {
     return nothing_told(
-        "the stock before the cut is to be given as Z:RADIUS in mm with falling Z, as "
-        "0:32,-20:33");
+        "give the stock before the cut as Z:RADIUS in mm with falling Z, for example 0:32,-20:33");
   }
   const jobs::CutLog log = jobs::read_cut_log(request.log, {.channel = request.channel,
                                                             .spindle = request.spindle(),
@@ -164,7 +163,7 @@ CommandResult milling(const FiguresRequest& request) {
     return wrong_file(error, name);
   }
   if (asked.cut.kind != process::CutKind::milling)
-    return nothing_told(name + " is not of a milling tool; give kind = \"milling\"");
+    return nothing_told(name + " is not a file of a milling tool; set kind = \"milling\"");
   const jobs::MillingLog log = jobs::read_milling_log(request.log, asked);
   const auto fit = process::fit_milling(log.record);
   if (!fit) return nothing_told(fit.error());

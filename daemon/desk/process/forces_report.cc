@@ -111,7 +111,7 @@ Expected<std::optional<CuttingProcess>, Failure> tool_of(const ProgramFolder& fo
   try {
     const CuttingProcess cut = config::read_chatter_file(file->path);
     if (cut.kind != process::CutKind::milling)
-      return nothing_told(name + " is not of a milling tool; give kind = \"milling\"");
+      return nothing_told(name + " is not a file of a milling tool; set kind = \"milling\"");
     return std::optional(cut);
   } catch (const config::ConfigError& error) {
     return wrong_file(error, name);

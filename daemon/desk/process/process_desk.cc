@@ -64,12 +64,12 @@ Expected<process::LobesRequest, Failure> lobes_request(const json& parameters) {
   request.speed_from = parameters.value("from", speed_from_usual);
   request.speed_to = parameters.value("to", speed_to_usual);
   if (!(request.speed_from < request.speed_to))
-    return nothing_told("the speeds begin above where they end");
+    return nothing_told("the first speed is above the last");
   request.count = parameters.value("count", speeds_usual);
   if (parameters.value("method", "zeroth-order") == "semi-discretisation")
     request.method = process::LobesMethod::semi_discretisation;
   if (parameters.contains("speed") != parameters.contains("depth"))
-    return nothing_told("a planned cut has a speed and a depth");
+    return nothing_told("a planned cut needs both a speed and a depth");
   if (parameters.contains("speed")) {
     request.programmed.push_back({.speed_rev_per_min = parameters["speed"].get<double>(),
                                   .depth_mm = parameters["depth"].get<double>()});
@@ -117,7 +117,7 @@ void ProcessDesk::stability(int session, const json& parameters, Answer answer) 
         }
         const auto gives_up = gives_up_when(stop);
         const process::LobesStudy study = process::study_lobes(request, gives_up);
-        if (gives_up()) return nothing_told("so many speeds take too long; ask for fewer");
+        if (gives_up()) return nothing_told("this number of speeds takes too long; request fewer");
         return study_json(name, study);
       },
       std::move(answer));

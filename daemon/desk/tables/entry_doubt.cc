@@ -104,7 +104,7 @@ std::string doubt_of_change(const MachineConfig& machine, const TablesConfig& no
   if (!is_place(command) || before == 0.0 || std::abs(command.value - before) <= most) return {};
   const std::string unit(bound_of(machine, command).unit);
   return name_of(command) + ": from " + number_text(before) + " to " + number_text(command.value) +
-         " " + unit + " is a change by more than " + number_text(most) + " " + unit +
+         " " + unit + " is a change of more than " + number_text(most) + " " + unit +
          " (change_max)";
 }
 

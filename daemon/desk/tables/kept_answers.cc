@@ -10,12 +10,13 @@ Answer KeptAnswers::behind_disk(Answer answer) {
     keep_([finished = finished_, answer, outcome](const std::optional<std::string>& fault) {
       const std::lock_guard lock(finished->mutex);
       if (!fault) return finished->all.push_back({answer, outcome});
-      finished->all.push_back({answer, Unexpected<protocol::Failure>(protocol::Failure{
-                                           protocol::FailureKind::internal,
-                                           "E9025",
-                                           "the change is in force, but not kept: " + *fault,
-                                           0,
-                                           {}})});
+      finished->all.push_back(
+          {answer, Unexpected<protocol::Failure>(
+                       protocol::Failure{protocol::FailureKind::internal,
+                                         "E9025",
+                                         "the change is active, but could not be saved: " + *fault,
+                                         0,
+                                         {}})});
     });
   };
 }

@@ -77,8 +77,8 @@ Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters, i
   const channels::ChannelOutput output = output_of(machine_.newest_output(), channel);
   const channels::SituationReport situation = machine_.situation(output);
   if (parameters.value("situation", situation.number) != situation.number) {
-    return Unexpected<Failure>(
-        refused("E6090", "codes, tool or tables have changed since: look again", channel));
+    return Unexpected<Failure>(refused(
+        "E6090", "codes, tool or tables have changed since then: check them again", channel));
   }
   const auto name = parameters["axis"].get<std::string>();
   const auto axis = axis_of(machine, config, name);
@@ -87,7 +87,7 @@ Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters, i
   const std::string as = parameters.value("as", "");
   if (as.empty() && situation.meaning.is_diameter(*axis)) {
     return Unexpected<Failure>(
-        refused("E6091", name + " is shown as a diameter: say as radius or as diameter", channel));
+        refused("E6091", name + " is shown as a diameter: add as radius or as diameter", channel));
   }
   const std::string obstacle = obstacle_of(situation.meaning, *axis);
   if (!obstacle.empty()) return Unexpected<Failure>(refused("E6092", obstacle, channel));
@@ -105,13 +105,13 @@ TouchDesk::Refusal TouchDesk::doubt(const json& parameters, const channels::Oper
   if (parameters.value("confirmed", 0) != 0) return std::nullopt;
   const channels::MachineConfig& machine = machine_.file().machine;
   const std::string reason = doubt_of_value(machine, entry);
-  if (!reason.empty()) return refused("E6093", reason + ": confirm it", channel);
+  if (!reason.empty()) return refused("E6093", reason + ": confirm the value", channel);
   const double most = machine.entry_limits.touch_off_max;
   if (std::abs(wanted.expected) <= most) return std::nullopt;
   return refused("E6093",
                  "the value would change by " + three_decimals(wanted.expected) + " " +
-                     wanted.unit + ", by more than " + three_decimals(most) + " " + wanted.unit +
-                     ": confirm it",
+                     wanted.unit + ", which is more than " + three_decimals(most) + " " +
+                     wanted.unit + ": confirm the change",
                  channel);
 }
 
@@ -151,10 +151,11 @@ void TouchDesk::touch_tool(const json& parameters, int channel, Answer answer) {
   const int edge = parameters.value("edge", 1);
   const std::string key = key_of(terms, found->axis);
   if (key.empty())
-    return answer(Unexpected<Failure>(refused("E6092", "a tool has no length along it", channel)));
+    return answer(
+        Unexpected<Failure>(refused("E6092", "a tool has no length along this axis", channel)));
   if (!touches_what_is_in_force(terms.length, tool, edge)) {
     return answer(Unexpected<Failure>(refused(
-        "E6092", "another length is in force than that of tool " + std::to_string(tool), channel)));
+        "E6092", "the active length is not that of tool " + std::to_string(tool), channel)));
   }
   const commands::ToolSet back{.key = ShortText(key), .tool = tool, .edge = edge};
   const auto old = value_of(back);
@@ -198,11 +199,10 @@ void TouchDesk::undo(const json& parameters, Answer answer) {
   const auto touch = std::ranges::find_if(
       touches_, [&](const Touch& one) { return one.number == parameters["undo"]; });
   if (touch == touches_.end())
-    return answer(
-        Unexpected<Failure>(refused("E6094", "nothing was touched off by this number", 0)));
+    return answer(Unexpected<Failure>(refused("E6094", "no touch-off has this number", 0)));
   if (value_of(touch->back) != touch->after) {
     return answer(
-        Unexpected<Failure>(refused("E6094", "the value was changed since it was touched off", 0)));
+        Unexpected<Failure>(refused("E6094", "the value has changed since it was touched off", 0)));
   }
   channels::OperatorEvent event;
   event.command = touch->back;

@@ -19,10 +19,10 @@ test('a session is a user, a page opened by its link, or a program', () => {
 });
 
 test('a refusal says it in its sentence', () => {
-  const sentence = 'channel 1 is under control of session 2 (maria (uid 0, pid 7))';
-  expect(withPeople(sentence)).toBe('channel 1 is under control of maria');
+  const sentence = 'channel 1 is controlled by session 2 (maria (uid 0, pid 7))';
+  expect(withPeople(sentence)).toBe('channel 1 is controlled by maria');
   const refused = new Refusal(1000, sentence, { ...noData, code: 'E6080' });
-  expect(sentenceOf(refused)).toBe('channel 1 is under control of maria');
+  expect(sentenceOf(refused)).toBe('channel 1 is controlled by maria');
   expect(withPeople('the axis X stands outside (2 mm)')).toBe('the axis X stands outside (2 mm)');
 });
 

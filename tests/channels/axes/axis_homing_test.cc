@@ -161,7 +161,7 @@ TEST(AxisHoming, SaysWhatIsMissing) {
   AxisHoming homing;
   Bench bare;
   EXPECT_EQ(run(bare, search(40.0), 0.0, homing), AxisHoming::Result::failed);
-  EXPECT_EQ(homing.reason(), "there is no home switch on the whole travel");
+  EXPECT_EQ(homing.reason(), "there is no home switch within the whole travel");
 
   Bench between;
   between.limit_negative = -100.0;

@@ -38,7 +38,7 @@ TEST_F(SetpointGuardTest, AStepThatTheAxisCannotMakeIsAFault) {
   point[bench_x].value += 0.002;
   ASSERT_TRUE(step(point));
   EXPECT_EQ(step(point)->code.view(), "A9002");
-  EXPECT_EQ(step(point)->text.view(), "axis X would step farther than it can move in a cycle");
+  EXPECT_EQ(step(point)->text.view(), "axis X would move farther in one cycle than it can");
 }
 
 TEST_F(SetpointGuardTest, WhatIsNoNumberIsAFaultInEveryDerivative) {

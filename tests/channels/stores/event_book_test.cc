@@ -30,7 +30,7 @@ TEST(EventBook, SaysHowManyMessagesAreMissingWhereTheyAre) {
   ASSERT_TRUE(book.events().pop(event));
   EXPECT_EQ(event.code.view(), "W721");
   EXPECT_EQ(event.text.view(),
-            "6 messages before this one are missing: they were not taken in time");
+            "6 messages before this one are missing: they were not read in time");
   ASSERT_TRUE(book.events().pop(event));
   EXPECT_EQ(event.cycle, 11);
   EXPECT_FALSE(book.events().pop(event));

@@ -75,7 +75,7 @@ TEST_F(EntryDoubt, IsAboutALargeChangeOfWhatWasSet) {
   EXPECT_EQ(set_tool("length", 80.0), "") << "100 mm are permitted";
   EXPECT_EQ(set_tool("length", 180.5), "E6095");
   EXPECT_THAT(answer.error().message,
-              HasSubstr("tool 3, length: from 80 to 180.5 mm is a change by more than 100 mm "
+              HasSubstr("tool 3, length: from 80 to 180.5 mm is a change of more than 100 mm "
                         "(change_max)"));
   EXPECT_EQ(set_tool("length", 180.5, 1), "");
   EXPECT_EQ(set_offset("Y", 250.0), "");

@@ -138,7 +138,7 @@ TEST_F(ProgramQueueTest, StopsWithWhateverEndsOrReplacesAProgram) {
       {commands::ProgramReset{}, "reset"},
       {commands::ProgramLoad{}, "another program was loaded"},
       {commands::ProgramRun{}, "another program was started"},
-      {commands::Mdi{}, "a line was executed by hand"}};
+      {commands::Mdi{}, "an MDI line was executed"}};
   for (const auto& [command, why] : ends) {
     begin_two();
     accepted(command, channels::is_stop(channels::action_of(command)) ? 0 : 1);
@@ -162,7 +162,7 @@ TEST_F(ProgramQueueTest, StopsWithAnAlarmOfAnyChannel) {
   machine.change(
       [](FakeMachine& m) { m.output.channels[1].state = channels::ChannelState::alarm; });
   tick();
-  expect_that_nothing_begins_behind_it("channel 2 is in alarm");
+  expect_that_nothing_begins_behind_it("channel 2 has an alarm");
   EXPECT_FALSE(start()) << "the alarm is still there";
 }
 
@@ -181,7 +181,7 @@ TEST_F(ProgramQueueTest, StopsWhenSomebodyElseTakesTheChannel) {
   other.peer = "another one";
   EXPECT_FALSE(control.take(1, other));
   tick();
-  expect_that_nothing_begins_behind_it("session 4 (another one) has taken the channel");
+  expect_that_nothing_begins_behind_it("session 4 (another one) has taken control of the channel");
   EXPECT_EQ(start().error().code, "E6080");
 }
 
@@ -189,13 +189,14 @@ TEST_F(ProgramQueueTest, AProgramThatTheMachineRefusesStopsIt) {
   add("a.nc");
   ASSERT_TRUE(start());
   tick();
-  desk.on_reply({.id = machine.submitted().back().id,
-                 .ok = false,
-                 .code = FixedText<8>("E6072"),
-                 .text = FixedText<240>("a stop was asked for after this and came first")});
+  desk.on_reply(
+      {.id = machine.submitted().back().id,
+       .ok = false,
+       .code = FixedText<8>("E6072"),
+       .text = FixedText<240>("a stop that was given later arrived before this command")});
   tick();
   EXPECT_EQ(asked(), 1U);
-  EXPECT_EQ(line()["stopped_by"], "E6072 a stop was asked for after this and came first");
+  EXPECT_EQ(line()["stopped_by"], "E6072 a stop that was given later arrived before this command");
 }
 
 // A hold counts as a stop until an operator, who knows of it, lets the program go on.

@@ -111,7 +111,7 @@ TEST_F(TableLoading, IsRefusedWhileAProgramRuns) {
 TEST_F(TableLoading, TellsHowFarItCame) {
   EXPECT_EQ(load("[[tool]]\nnumber = 4\nlength = 5\n[[tool]]\nnumber = 12345\nlength = 5\n"),
             "E5021");
-  EXPECT_NE(answer.error().message.find("1 of 2 values were written before"), std::string::npos)
+  EXPECT_NE(answer.error().message.find("1 of 2 values had been written"), std::string::npos)
       << answer.error().message;
 }
 

@@ -205,7 +205,7 @@ TEST(LogFilesThatRest, GoOnWhenThereIsRoom) {
   EXPECT_TRUE(logs.status().rests);
   EXPECT_EQ(logs.status().error, "no room");
   logs.set_room("still none");
-  EXPECT_EQ(troubles, std::vector<std::string>{"logging rests: no room"}) << "once";
+  EXPECT_EQ(troubles, std::vector<std::string>{"logging is paused: no room"}) << "once";
   EXPECT_FALSE(logs.start()) << "it rests, and is not over";
   logs.set_room("");
   logs.turn(2);

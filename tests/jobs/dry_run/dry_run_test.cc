@@ -122,12 +122,12 @@ TEST(CheckProgram, WarnsOnceOfAFeedThatTheAxesLimit) {
   EXPECT_EQ(found[0].code, "W810");
   EXPECT_EQ(found[0].severity, Severity::warning);
   EXPECT_EQ(found[0].place.line, 4);
-  EXPECT_EQ(found[0].message, "the feed of 20000 mm/min is above 15000, which the axes can do");
+  EXPECT_EQ(found[0].message, "the feed of 20000 mm/min is above 15000, the limit of the axes");
   // The greatest feed of a law counts as well.
   const Diagnostics of_law =
       check_on("mill3.toml", "G94\nG1 X50 Smin=14000 dS=100 n_s=20 dl=0.5\nM30\n");
   ASSERT_EQ(of_law.size(), 1U);
-  EXPECT_EQ(of_law[0].message, "the feed of 16000 mm/min is above 15000, which the axes can do");
+  EXPECT_EQ(of_law[0].message, "the feed of 16000 mm/min is above 15000, the limit of the axes");
 }
 
 TEST(CheckProgram, EstimatesBlocksUnderALaw) {

@@ -120,7 +120,7 @@ TEST_F(StlBlank, IsRefusedWithItsPlaceWhenTheProgramIsLoaded) {
   EXPECT_THAT(named("folder.stl"), HasSubstr("E7003 2:24"));
   EXPECT_THAT(named("/tmp/box.stl"), HasSubstr("E7002 2:24"));
   EXPECT_THAT(named("../box.stl"), HasSubstr("E7002 2:24"));
-  EXPECT_THAT(named("out.stl"), HasSubstr("E7002 2:24 out.stl leads out of the program root"));
+  EXPECT_THAT(named("out.stl"), HasSubstr("E7002 2:24 out.stl leads outside the program root"));
   EXPECT_THAT(named("refused.nc"), HasSubstr("E7020 2:24"));
   write("OPEN2.STL", binary_stl(stl_box({0.0, 0.0, 0.0}, {40.0, 30.0, 10.0})));
   EXPECT_EQ(named("OPEN2.STL"), "");
