@@ -114,14 +114,14 @@ void show_panel(const PanelOptions& options) {
 void add_panel_command(CLI::App& app, const std::string& socket, int& exit_code) {
   const auto options = std::make_shared<PanelOptions>();
   CLI::App* command =
-      app.add_subcommand("panel", "open the page of the machine, that stanok-web serves");
+      app.add_subcommand("panel", "open the web page of the machine, which stanok-web serves");
   command->add_option("--socket", options->socket, "socket of the daemon")->type_name("PATH");
   command
       ->add_option("--link-socket", options->link_socket,
-                   "as stanok-web was given it; default: beside the socket of the daemon")
+                   "link socket of stanok-web; default: next to the socket of the daemon")
       ->type_name("PATH");
   command->add_flag("--open,!--no-open", options->opens,
-                    "open the link where there is a screen (default), or only print it");
+                    "open the link if there is a screen (default), or only print it");
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &socket, &exit_code] {
     if (options->socket.empty()) options->socket = socket;
