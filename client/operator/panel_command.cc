@@ -26,7 +26,7 @@ namespace stanok::client {
 namespace {
 
 constexpr int answer_time_max_ms = 5000;
-constexpr auto remedy = "; start one beside the daemon: stanok-web --socket PATH";
+constexpr auto remedy = "; start one next to the daemon: stanok-web --socket PATH";
 
 struct PanelOptions {
   std::string socket;
@@ -60,8 +60,8 @@ void connect_to_desk(const Descriptor& desk, const std::filesystem::path& socket
   errno = ENAMETOOLONG;
   if (!fits ||
       ::connect(desk.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    throw ConnectionError("no stanok-web gives links at " + path + ": " + system_error_text(errno) +
-                          remedy);
+    throw ConnectionError("no stanok-web provides links at " + path + ": " +
+                          system_error_text(errno) + remedy);
   }
 }
 
@@ -86,7 +86,7 @@ std::string link_from(const std::filesystem::path& socket) {
   const std::string link = answer.is_object() ? answer.value("link", "") : "";
   if (link.empty())
     throw ConnectionError("the stanok-web at " + socket.string() +
-                          " gives links to the user who started it, and to root");
+                          " provides links only to the user who started it, and to root");
   return link;
 }
 
