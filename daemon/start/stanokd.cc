@@ -38,8 +38,7 @@ void add_options(CLI::App& app, CommandLine& given) {
                  "real: drives on the bus; embedded: simulated drives inside the daemon")
       ->transform(CLI::CheckedTransformer(choices).description(""))
       ->type_name("real|embedded");
-  app.add_option("--log", given.options.log_directory, "folder in which an LCM log is written")
-      ->type_name("FOLDER");
+  app.add_option("--log", given.options.log_directory, "folder for LCM logs")->type_name("FOLDER");
   app.add_option("--panel-user", given.options.panel_user,
                  "user who runs stanok-web, which may do everything and checks its own users")
       ->type_name("USER");
