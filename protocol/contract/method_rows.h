@@ -73,7 +73,7 @@ inline constexpr Parameter wait{
     .name = "wait",
     .type = ParameterType::choice,
     .choices = wait_choices,
-    .help = "when to answer: when the request is accepted, or when the work is done"};
+    .help = "whether to answer when the request is accepted, or when the work is done"};
 
 inline constexpr double velocity_limit = 100000.0;
 

@@ -24,7 +24,8 @@ constexpr Parameter jog_frame{
     .help =
         "directions of the jog: those of one machine axis, of the tool (Z points from its tip into "
         "the spindle), or of the workpiece as programs see it at present, including tilted planes; "
-        "with tool and plane the tool moves in a straight line and the rotary axes do not move"};
+        "with `tool` and `plane` the tool moves in a straight line and the rotary axes do not "
+        "move"};
 
 constexpr Parameter jog_velocity{.name = "velocity",
                                  .type = ParameterType::number,

@@ -120,8 +120,8 @@ constexpr auto scope_rows = std::to_array<Method>({
      .course = Course::reads_program,
      .parameters = of_log,
      .help = "repeat the run of a log from its inputs and compare every setpoint; the verdict is "
-             "same, part (the log is cut off, damaged or lacks inputs, but the same as far as it "
-             "goes), or differs",
+             "same, part (the log is cut off, damaged or lacks inputs, but is the same as far as "
+             "it goes), or differs",
      .result = R"({"file":"string","verdict":"string","cycles":"integer","setpoints":"integer",
       "difference":"any","lost_from_cycle":"integer?","remarks":["string"]})"},
     {.name = "history.path",
