@@ -100,7 +100,7 @@ def main():
         start.send_signal(signal.SIGINT)
         said, _ = start.communicate(timeout=60)
     assert start.returncode == 0, f"./start ended with {start.returncode}: {said}"
-    assert "All has ended" in said, said
+    assert "Everything has ended" in said, said
     assert not processes_of_cell(), processes_of_cell()
     print("passed")
 

@@ -6,9 +6,9 @@ set -euo pipefail
 # shellcheck source=tools/environment.sh
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
-build="${1:?give the build folder, as build/release}"
+build="${1:?give the build folder, for example build/release}"
 stanok="$(find "$build" -maxdepth 2 -name stanok -type f -perm -u+x | head -n 1)"
-[[ -n "$stanok" ]] || { echo "no stanok in $build" >&2; exit 1; }
+[[ -n "$stanok" ]] || { echo "there is no stanok in $build" >&2; exit 1; }
 pictures=docs/programmer/pictures
 work="$(mktemp -d)"
 trap 'rm -r "$work"' EXIT

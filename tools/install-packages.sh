@@ -66,7 +66,7 @@ main() {
     local packages
     packages="$(packages_of "$group")"
     if [[ -z "$packages" ]]; then
-      echo "${0##*/}: no group '$group' in $list" >&2
+      echo "${0##*/}: there is no group '$group' in $list" >&2
       return 2
     fi
     for package in $packages; do
@@ -76,7 +76,7 @@ main() {
   ((${#missing[@]})) || return 0
 
   if ((EUID != 0)) && ! sudo -n true 2>/dev/null; then
-    echo "these Debian packages are missing, and neither root nor sudo is at hand to install them:" >&2
+    echo "these Debian packages are missing, and installing them requires root or sudo:" >&2
     echo "  ${missing[*]}" >&2
     return 1
   fi

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Whether two builds give the same setpoints, to the bit: of 40 programs, and of 500 random runs with override, hold,
-# resume and abort. Usage: tools/same-setpoints.sh PRESET PRESET; both have stanok, stanok-drives, generate_programs and
-# motion_tests.
+# Checks that two builds give the same setpoints, bit for bit, for 40 programs and for 500 random runs with override,
+# hold, resume and abort. Usage: tools/same-setpoints.sh PRESET PRESET; both builds must contain stanok, stanok-drives,
+# generate_programs and motion_tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 (($# == 2)) || { sed -n 's/^# //; 2,4p' "$0" >&2; exit 2; }

@@ -83,9 +83,9 @@ start_cell_page() {
 }
 
 say_what_to_look_at() {
-  say "What to look at, each in a terminal of its own"
+  say "What to look at, each in its own terminal"
   cat <<TEXT
-page        $("$bin/stanok" panel --socket "$cell/mill.sock" --no-open 2>/dev/null)   (good once: $bin/stanok panel --socket $cell/mill.sock prints another)
+page        $("$bin/stanok" panel --socket "$cell/mill.sock" --no-open 2>/dev/null)   (valid once: $bin/stanok panel --socket $cell/mill.sock prints another)
             its view "Cell" shows the three machines and their history
 messages    mosquitto_sub -p $broker_port -t 'cell/#' -v
 history     $bin/stanok history oee --since 1h --database $cell/gateway/history.sqlite
@@ -117,7 +117,7 @@ run_cell_until_interrupted() {
   while [[ $stopped == no ]]; do
     for member in "${cell_machines[@]}"; do next_run "$member"; done
     for pid in "${cell_processes[@]}"; do
-      kill -0 "$pid" 2>/dev/null || [[ $stopped == yes ]] || fail "something has ended; see $cell/*.log"
+      kill -0 "$pid" 2>/dev/null || [[ $stopped == yes ]] || fail "a process has ended; see $cell/*.log"
     done
     sleep 2 &
     wait $! || true
@@ -144,5 +144,5 @@ run_cell() {
   end_cell
   say "Summary of the history"
   "$bin/stanok" history oee --since 1h --database "$cell/gateway/history.sqlite"
-  echo "All has ended; logs and history stay in $cell."
+  echo "Everything has ended; logs and history remain in $cell."
 }

@@ -218,10 +218,10 @@ class Lines {
 
 void add_reasons(Lines& lines, const json& status, const Terminal& terminal) {
   lines.add_if_there(status, "held_by", "held by");
-  lines.add_if_there(status, "controlled_by", "kept by");
-  lines.add_if_there(status, "begins_at", "begins at");
+  lines.add_if_there(status, "controlled_by", "control");
+  lines.add_if_there(status, "begins_at", "starts at");
   if (has(status, "foreseen"))
-    lines.add("foreseen", terminal.coloured(alarm_text(status["foreseen"]), Colour::yellow));
+    lines.add("expected", terminal.coloured(alarm_text(status["foreseen"]), Colour::yellow));
   if (has(status, "alarm"))
     lines.add("alarm", terminal.coloured(alarm_text(status["alarm"]), Colour::red));
 }
@@ -283,11 +283,11 @@ std::string origin_text(const json& result, const Terminal& terminal) {
       continue;
     }
     has_terms = true;
-    TextTable terms({word, "adds", "makes", ""});
+    TextTable terms({word, "adds", "result", ""});
     for (const json& term : axis["terms"]) {
       terms.add_row({cell_text(member(term, "name")), coordinate(member(term, "amount")),
                      coordinate(member(term, "value")),
-                     member(term, "fixed") == false ? "as the axes stand" : ""});
+                     member(term, "fixed") == false ? "at the present axis positions" : ""});
     }
     text += (text.empty() ? "" : "\n") + terms.text(terminal);
   }

@@ -56,7 +56,7 @@ std::string help_text(const Parameter& parameter) {
   std::string text(parameter.help);
   if (!parameter.unit.empty()) text += " [" + std::string(parameter.unit) + "]";
   for (std::size_t k = 0; k < parameter.choices.size(); ++k)
-    text += (k == 0 ? ": " : ", ") + std::string(parameter.choices[k]);
+    text += (k == 0 ? "; values: " : ", ") + std::string(parameter.choices[k]);
   return text;
 }
 
@@ -152,8 +152,9 @@ void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& 
   if (is_wait(parameter)) {
     given.wait = parameter.usual == "done";
     command.add_flag("--wait,!--no-wait", given.wait,
-                     given.wait ? "wait until the work is done; --no-wait: until it is accepted"
-                                : "wait until the work is done");
+                     given.wait
+                         ? "wait until the work is done; --no-wait: only until it is accepted"
+                         : "wait until the work is done");
     return;
   }
   if (parameter.spelling == protocol::Spelling::flag) {
@@ -189,7 +190,7 @@ void add_method(CLI::App& app, const Method& method,
   const auto given = std::make_shared<GivenOptions>();
   for (const Parameter& parameter : method.parameters) add_parameter(*command, parameter, *given);
   if (method.reach == protocol::Reach::every_channel)
-    command->add_flag("--all", given->every_channel, "every channel of the machine")
+    command->add_flag("--all", given->every_channel, "apply to every channel of the machine")
         ->excludes("--channel");
   add_common_options(*command, *given);
   command->callback([&method, given, on_call] { on_call(call_of(method, *given)); });
@@ -197,8 +198,8 @@ void add_method(CLI::App& app, const Method& method,
 
 // All channels and what happens, drawn in place: a subscription in another form.
 void add_watch(CLI::App& app, const std::function<void(const OperatorCall&)>& on_call) {
-  CLI::App* command =
-      app.add_subcommand("watch", "all channels as they change: state, block, position, alarms");
+  CLI::App* command = app.add_subcommand(
+      "watch", "show all channels as they change: state, block, position, alarms");
   const auto given = std::make_shared<GivenOptions>();
   add_common_options(*command, *given);
   command->callback([given, on_call] {
@@ -212,7 +213,7 @@ void add_watch(CLI::App& app, const std::function<void(const OperatorCall&)>& on
 
 void add_status(CLI::App& app, const std::function<void(const OperatorCall&)>& on_call) {
   CLI::App* command = app.add_subcommand(
-      "status", "the machine and all channels: program, codes, feed, spindles, tool, axes");
+      "status", "show the machine and all channels: program, codes, feed, spindles, tool, axes");
   const auto given = std::make_shared<GivenOptions>();
   add_common_options(*command, *given);
   command->callback([given, on_call] {

@@ -26,7 +26,7 @@ namespace stanok::client {
 namespace {
 
 constexpr int answer_time_max_ms = 5000;
-constexpr auto remedy = "; start one beside the daemon: stanok-web --socket PATH";
+constexpr auto remedy = "; start one next to the daemon: stanok-web --socket PATH";
 
 struct PanelOptions {
   std::string socket;
@@ -60,8 +60,8 @@ void connect_to_desk(const Descriptor& desk, const std::filesystem::path& socket
   errno = ENAMETOOLONG;
   if (!fits ||
       ::connect(desk.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    throw ConnectionError("no stanok-web gives links at " + path + ": " + system_error_text(errno) +
-                          remedy);
+    throw ConnectionError("no stanok-web provides links at " + path + ": " +
+                          system_error_text(errno) + remedy);
   }
 }
 
@@ -86,7 +86,7 @@ std::string link_from(const std::filesystem::path& socket) {
   const std::string link = answer.is_object() ? answer.value("link", "") : "";
   if (link.empty())
     throw ConnectionError("the stanok-web at " + socket.string() +
-                          " gives links to the user who started it, and to root");
+                          " provides links only to the user who started it, and to root");
   return link;
 }
 
@@ -114,14 +114,14 @@ void show_panel(const PanelOptions& options) {
 void add_panel_command(CLI::App& app, const std::string& socket, int& exit_code) {
   const auto options = std::make_shared<PanelOptions>();
   CLI::App* command =
-      app.add_subcommand("panel", "open the page of the machine, that stanok-web serves");
+      app.add_subcommand("panel", "open the web page of the machine, which stanok-web serves");
   command->add_option("--socket", options->socket, "socket of the daemon")->type_name("PATH");
   command
       ->add_option("--link-socket", options->link_socket,
-                   "as stanok-web was given it; default: beside the socket of the daemon")
+                   "link socket of stanok-web; default: next to the socket of the daemon")
       ->type_name("PATH");
   command->add_flag("--open,!--no-open", options->opens,
-                    "open the link where there is a screen (default), or only print it");
+                    "open the link if there is a screen (default), or only print it");
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &socket, &exit_code] {
     if (options->socket.empty()) options->socket = socket;

@@ -159,14 +159,14 @@ std::string queues_text(const json& result, const Terminal& terminal) {
              : stopped.is_null() ? "not started"
                                  : "stopped: " + one_line(cell_text(stopped))) +
             "\n";
-    TextTable table({"place", "id", "program", ""});
+    TextTable table({"position", "id", "program", ""});
     int place = 0;
     for (const json& one : queue.value("programs", json::array())) {
       const json id = one.value("id", json());
       table.add_row({std::to_string(++place), cell_text(id), one.value("program", ""),
-                     id == queue.value("under_way", json()) ? "under way" : ""});
+                     id == queue.value("under_way", json()) ? "in progress" : ""});
     }
-    text += place == 0 ? "no program waits\n" : table.text(terminal);
+    text += place == 0 ? "no program waiting\n" : table.text(terminal);
   }
   return text;
 }
@@ -203,8 +203,8 @@ std::string search_text(const json& result, const Terminal& terminal) {
                    cell_text(move.value("to", json()))});
   text += "\n" + moves.text(terminal);
   const json changes = approach->value("changes", json::array());
-  if (!changes.empty()) text += "\nabove the workpiece: " + cell_text(changes) + "\n";
-  return text + "\nbegin with: stanok program start --approach " +
+  if (!changes.empty()) text += "\nchanges above the workpiece: " + cell_text(changes) + "\n";
+  return text + "\nstart with: stanok program start --approach " +
          cell_text((*approach)["number"]) + (changes.empty() ? "" : " --restore") + "\n";
 }
 

@@ -31,7 +31,7 @@ std::string PictureInPlace::drawn(std::string_view picture) {
   if (lines_.size() > lines_max) {
     const std::size_t more = lines_.size() - lines_max + 1;
     lines_.resize(lines_max);
-    lines_.back() = cut_to_columns("(" + std::to_string(more) + " more lines: the window is low)",
+    lines_.back() = cut_to_columns("(" + std::to_string(more) + " more lines: enlarge the window)",
                                    usable_columns(size));
   }
   return text.append(printed(lines_)).append(erase_below);

@@ -15,7 +15,9 @@ void write_text_file(const std::filesystem::path& file, std::string_view text) {
 
 std::string picture_name_fault(const std::string& name) {
   const std::string extension = std::filesystem::path(name).extension().string();
-  return extension == ".svg" || extension == ".png" ? "" : "a picture ends in .svg or .png";
+  return extension == ".svg" || extension == ".png"
+             ? ""
+             : "the name of a picture must end in .svg or .png";
 }
 
 }  // namespace stanok::client

@@ -35,12 +35,12 @@ void add_options(CLI::App& app, CommandLine& given) {
   app.add_option("--program-root", given.options.program_root, "folder of the part programs")
       ->type_name("FOLDER");
   app.add_option("--drives", given.options.drives,
-                 "real, or embedded: simulated drives inside the daemon")
+                 "real: drives on the bus; embedded: simulated drives inside the daemon")
       ->transform(CLI::CheckedTransformer(choices).description(""))
       ->type_name("real|embedded");
   app.add_option("--log", given.options.log_directory, "folder for LCM logs")->type_name("FOLDER");
   app.add_option("--panel-user", given.options.panel_user,
-                 "user who runs stanok-web; it may do everything and checks its own users")
+                 "user who runs stanok-web, which may do everything and checks its own users")
       ->type_name("USER");
   app.add_flag("--check-config", given.check_only,
                "check the machine file, print its errors and exit");

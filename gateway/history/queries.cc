@@ -71,11 +71,13 @@ constexpr std::string_view newest_sql =
     "version = $3 AND ok = 1 AND ended_s >= $4 ORDER BY ended_s DESC LIMIT $5) AS quarter";
 
 constexpr std::array all{
-    Query{"runs", "program runs, the newest first, 1000 at most", runs_sql, run_columns},
-    Query{"alarms", "alarms, the newest first, 1000 at most", alarms_sql, alarm_columns},
-    Query{"oee", "use of each machine: availability, effectiveness, quality", oee_sql, oee_columns},
-    Query{"tools", "time of tools in running programs", tools_sql, tool_columns},
-    Query{"drift", "cycle times of the same program text: first against last quarter of its runs",
+    Query{"runs", "list program runs, newest first, at most 1000", runs_sql, run_columns},
+    Query{"alarms", "list alarms, newest first, at most 1000", alarms_sql, alarm_columns},
+    Query{"oee", "show the use of each machine: availability, effectiveness, quality", oee_sql,
+          oee_columns},
+    Query{"tools", "show how long each tool was used in running programs", tools_sql, tool_columns},
+    Query{"drift",
+          "compare cycle times of the same program text: first and last quarter of its runs",
           drift_sql, drift_columns},
 };
 

@@ -34,47 +34,49 @@ struct CommandLine {
 
 void add_broker_options(CLI::App& app, CommandLine& given) {
   auto& broker = given.options.broker;
-  app.add_option("--broker", given.broker, "broker of MQTT, or off; default 127.0.0.1:1883")
+  app.add_option("--broker", given.broker, "MQTT broker, or off; default 127.0.0.1:1883")
       ->type_name("HOST:PORT");
-  app.add_option("--topic", given.options.prefix, "what topics begin with; default: stanok")
+  app.add_option("--topic", given.options.prefix, "prefix of all topics; default: stanok")
       ->type_name("PREFIX");
   app.add_option("--sparkplug", given.options.sparkplug_group,
-                 "states as Sparkplug B, too, as a node of this group")
+                 "also publish states as Sparkplug B, as a node of this group")
       ->type_name("GROUP");
-  app.add_option("--user", broker.user, "user at the broker")->type_name("NAME");
+  app.add_option("--user", broker.user, "user name at the broker")->type_name("NAME");
   app.add_option("--password-file", broker.password_file, "file whose first line is the password")
       ->type_name("FILE");
-  app.add_option("--tls-ca", broker.tls_ca, "TLS, with a broker certified by these (PEM)")
+  app.add_option("--tls-ca", broker.tls_ca,
+                 "use TLS, with a broker certified by these authorities (PEM)")
       ->type_name("FILE");
   app.add_option("--tls-cert", broker.tls_certificate, "certificate of the gateway (PEM)")
       ->type_name("FILE");
-  app.add_option("--tls-key", broker.tls_key, "its key (PEM)")->type_name("FILE");
+  app.add_option("--tls-key", broker.tls_key, "key of the certificate (PEM)")->type_name("FILE");
   app.add_option("--resend", given.resend_s,
-                 "events acknowledged so shortly before a connection was lost are sent again; "
-                 "default 10 s")
+                 "resend events that were acknowledged within this time before a connection was "
+                 "lost; default 10 s")
       ->check(CLI::Range(0, 86400))
       ->type_name("SECONDS");
 }
 
 void add_options(CLI::App& app, CommandLine& given) {
   app.add_option("--daemon", given.daemons,
-                 "socket of a daemon and what its machine is called; may be given again")
+                 "socket of a daemon and the name of its machine; may be repeated")
       ->type_name("NAME=SOCKET")
       ->allow_extra_args(false);
   add_broker_options(app, given);
-  app.add_option("--rate", given.options.rate_hz, "how often states are read; default 1 Hz")
+  app.add_option("--rate", given.options.rate_hz, "rate at which states are read; default 1 Hz")
       ->check(CLI::Range(0.1, 10.0))
       ->type_name("HZ");
   app.add_option("--state", given.options.state_folder,
                  "folder of the outbox; default: $STATE_DIRECTORY")
       ->type_name("FOLDER");
-  app.add_option("--events", given.options.events_max,
-                 "how many events wait at most before the oldest are given up; default 1000000")
+  app.add_option(
+         "--events", given.options.events_max,
+         "maximum number of waiting events; beyond it the oldest are discarded; default 1000000")
       ->check(CLI::Range(std::int64_t{100}, std::int64_t{100'000'000}))
       ->type_name("NUMBER");
   app.add_option("--history", given.history,
-                 "database of the history: a file of SQLite, postgresql://..., or off; default: "
-                 "history.sqlite beside the outbox")
+                 "database of the history: an SQLite file, postgresql://..., or off; default: "
+                 "history.sqlite next to the outbox")
       ->type_name("DATABASE");
   app.add_option("--keep", given.keep, "how long the history keeps entries; default 400d")
       ->type_name("DAYS");

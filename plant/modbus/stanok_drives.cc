@@ -40,7 +40,7 @@ struct Options {
 void define(CLI::App& app, Options& options) {
   app.add_option("--machine", options.machine, "machine file")->required()->type_name("FILE");
   app.add_option("--host", options.server.host, "address to listen on")->capture_default_str();
-  auto* port = app.add_option("--port", options.server.port, "TCP port; 0: any free one")
+  auto* port = app.add_option("--port", options.server.port, "TCP port; 0: any free port")
                    ->check(CLI::Range(0, 65535))
                    ->capture_default_str();
   app.add_option("--rtu", options.server.rtu_device, "serve Modbus RTU on this serial line instead")
@@ -49,13 +49,14 @@ void define(CLI::App& app, Options& options) {
   app.add_option("--baud", options.server.baud, "bits per second of the serial line")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--rate", options.server.rate_hz, "the drives move in steps of at most 1/HZ")
+  app.add_option("--rate", options.server.rate_hz,
+                 "rate of the simulation: the drives move in steps of at most 1/HZ")
       ->check(CLI::Range(1.0, 1e5))
       ->type_name("HZ")
       ->capture_default_str();
   app.add_flag("--json", options.json, "print the units as JSON");
   app.add_option("--fault", options.faults,
-                 "begin with a fault: off, stuck, garbage, slow, intermittent, trip, elsewhere, "
+                 "start with a fault: off, stuck, garbage, slow, intermittent, trip, elsewhere, "
                  "mangled, hang_up, jammed or frozen")
       ->type_name("AXIS=KIND");
 }
@@ -172,12 +173,12 @@ int run(int argc, char** argv) {
   CLI::App app("Simulated drives and spindles of a machine: a Modbus TCP or RTU server.",
                "stanok-drives");
   app.footer(
-      "Lines of standard input while it serves:\n"
-      "  fault AXIS KIND                 make a drive fail; none: it works again\n"
+      "Commands on standard input while the drives are served:\n"
+      "  fault AXIS KIND                 make a drive fail; KIND none: it works again\n"
       "  load AXIS POWER_W [UM HZ]       power and vibration of the cutting process\n"
-      "Axes are called as in the machine file, spindles S1, S2. Any Modbus client reads and "
-      "writes\n"
-      "the registers; unit 247 is the panel of faults.");
+      "Axes are named as in the machine file, spindles S1, S2. Any Modbus client can read and "
+      "write\n"
+      "the registers; unit 247 is the fault panel.");
   Options options;
   define(app, options);
   try {

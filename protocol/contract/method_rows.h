@@ -46,8 +46,8 @@ inline constexpr Parameter system_of_path{
     .type = ParameterType::choice,
     .choices = system_choices,
     .help =
-        "of the points: work, the workpiece system that is active there, or part, one that "
-        "stays on the part; default: work"};
+        "coordinate system of the points: work, the workpiece system that is active at each point, "
+        "or part, a system that is fixed to the part; default: work"};
 
 constexpr Parameter required_text(std::string_view name, std::string_view help) {
   return {.name = name,
@@ -65,14 +65,15 @@ inline constexpr Parameter rate{.name = "rate_hz",
                                 .unit = "Hz",
                                 .minimum = 0.1,
                                 .maximum = 50,
-                                .help = "most status messages per second; default 10"};
+                                .help = "maximum number of status messages per second; default 10"};
 
 inline constexpr auto wait_choices = std::to_array<std::string_view>({"accepted", "done"});
 
-inline constexpr Parameter wait{.name = "wait",
-                                .type = ParameterType::choice,
-                                .choices = wait_choices,
-                                .help = "when the answer comes: request accepted, or work done"};
+inline constexpr Parameter wait{
+    .name = "wait",
+    .type = ParameterType::choice,
+    .choices = wait_choices,
+    .help = "whether to answer when the request is accepted, or when the work is done"};
 
 inline constexpr double velocity_limit = 100000.0;
 
@@ -83,7 +84,7 @@ inline constexpr Parameter on_or_off{.name = "on",
                                      .carries = Carries::number,
                                      .minimum = 0,
                                      .maximum = 1,
-                                     .help = "1 on, 0 off"};
+                                     .help = "1: on; 0: off"};
 
 // What gives words their meaning may change between a look and a command.
 inline constexpr Parameter seen_situation{
@@ -92,15 +93,16 @@ inline constexpr Parameter seen_situation{
     .minimum = 1,
     .maximum = 2147483647.0,
     .help =
-        "situation of the channel in the status that was looked at; refused where it has "
-        "changed since"};
+        "situation of the channel in the status that the request is based on; the request is "
+        "refused if the situation has changed since"};
 // Of what begins motion.
 inline constexpr Parameter seen_cycle{
     .name = "seen_cycle",
     .type = ParameterType::integer,
     .minimum = 0,
     .maximum = 9007199254740991.0,
-    .help = "cycle of the newest status that was seen; refused where that is long ago"};
+    .help =
+        "cycle of the newest status that was seen; the request is refused if that is too long ago"};
 inline constexpr std::array of_channel{channel};
 inline constexpr std::array of_motion{channel, seen_cycle};
 

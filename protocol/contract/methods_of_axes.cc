@@ -13,21 +13,22 @@ constexpr Parameter scheme{.name = "scheme",
                            .carries = Carries::number,
                            .minimum = 0,
                            .maximum = 9999,
-                           .help = "kinematic scheme of the channel"};
+                           .help = "number of the kinematic scheme"};
 
 constexpr auto fault_choices = std::to_array<std::string_view>(
     {"none", "off", "stuck", "garbage", "slow", "intermittent", "trip", "elsewhere", "mangled",
      "hang_up", "jammed", "frozen"});
 
 constexpr Parameter drive =
-    required_text("drive", "name of the axis; S and its number for a spindle");
+    required_text("drive", "name of the axis; for a spindle, S and its number");
 
-constexpr Parameter drive_fault{.name = "fault",
-                                .type = ParameterType::choice,
-                                .presence = Presence::required,
-                                .spelling = Spelling::positional,
-                                .choices = fault_choices,
-                                .help = "fault that the drive has from now on; none: it works"};
+constexpr Parameter drive_fault{
+    .name = "fault",
+    .type = ParameterType::choice,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .choices = fault_choices,
+    .help = "fault that the drive has from now on, or none: the drive works again"};
 
 constexpr std::array of_scheme{scheme, channel, seen_cycle};
 constexpr std::array of_drive{drive};
@@ -36,7 +37,7 @@ constexpr std::array of_drive_fault{drive, drive_fault};
 constexpr auto axes_rows = std::to_array<Method>({
     {.name = "kinematics.list",
      .parameters = of_channel,
-     .help = "kinematic schemes of a channel",
+     .help = "list the kinematic schemes of a channel",
      .result = R"({"channel":"integer","schemes":[{"id":"integer","type":"string",
       "file":"string?","axes":["string"],"active":"boolean"}]})"},
     {.name = "kinematics.select",
@@ -44,21 +45,22 @@ constexpr auto axes_rows = std::to_array<Method>({
      .effect = Effect::begins_motion,
      .action = "kinematics_select",
      .parameters = of_scheme,
-     .help = "switch the channel to another scheme; the channel must be idle"},
+     .help = "switch a channel to another kinematic scheme; the channel must be idle"},
     {.name = "kinematics.status",
      .parameters = of_channel,
-     .help = "active scheme, its axes, their drives and brakes",
+     .help = "show the active scheme, its axes, and their drives and brakes",
      .result = R"({"channel":"integer","scheme":"integer","type":"string?",
       "axes":[{"name":"string","takes_part":"boolean","enabled":"boolean","brake":"boolean"}]})"},
 
     {.name = "drive.list",
-     .help = "drives of the machine file with bus address, kind and requests",
+     .help = "list the drives of the machine file with bus address, kind and requests",
      .result = R"({"bus":"string","poll_ms":"number","timeout_ms":"number",
       "drives":[{"axis":"string","unit":"integer","kind":"string","requests":"integer",
                  "watchdog_ms":"integer?","absolute_encoder":"boolean","position_scale":"number",
                  "velocity_scale":"number"}]})"},
     {.name = "drive.status",
-     .help = "every drive: state, fault, position, switches, errors; the bus: exchanges, latency",
+     .help = "show state, fault, position, switches and errors of every drive, and exchanges and "
+             "latency of the bus",
      .result = R"({"choice":"string","endpoint":"string?","connected":"boolean",
       "connections":"integer","exchanges":"integer","errors":"$counts",
       "round_trip_us":"$percentiles",
@@ -78,7 +80,7 @@ constexpr auto axes_rows = std::to_array<Method>({
 
     {.name = "alarm.list",
      .parameters = of_channel,
-     .help = "active alarms",
+     .help = "list the active alarms",
      .result = R"({"alarms":["$alarm"],"forgotten?":"integer"})"},
     {.name = "alarm.ack",
      .role = machine_operator,
@@ -89,11 +91,12 @@ constexpr auto axes_rows = std::to_array<Method>({
      .help = "acknowledge the alarms of a channel"},
     {.name = "alarm.history",
      .parameters = of_channel,
-     .help = "alarms, the newest 500 of each channel",
+     .help = "list the newest 500 alarms of each channel",
      .result = R"({"alarms":["$alarm"],"forgotten?":"integer"})"},
     {.name = "measurement.history",
      .parameters = of_channel,
-     .help = "what programs measured since the daemon started, the newest 500 of each channel",
+     .help = "list what programs have measured since the daemon started: the newest 500 results of "
+             "each channel",
      .result = R"({"measurements":[{"channel":"integer","number":"integer","cycle":"integer",
       "feature":"string","values":{"*":"number"},"text":"string"}],"forgotten?":"integer"})"},
 });

@@ -18,7 +18,7 @@ constexpr Parameter topics{.name = "topics",
                            .spelling = Spelling::positional,
                            .maximum = topic_choices.size(),
                            .choices = topic_choices,
-                           .help = "topics to be told of; an empty list ends the subscription"};
+                           .help = "topics to subscribe to; an empty list ends the subscription"};
 
 constexpr Parameter lower_role{
     .name = "role",
@@ -26,22 +26,22 @@ constexpr Parameter lower_role{
     .presence = Presence::required,
     .spelling = Spelling::positional,
     .choices = role_choices,
-    .help = "highest role to have from now on; a connection cannot raise its role again"};
+    .help = "highest role of the connection from now on; a connection cannot raise its role again"};
 
 constexpr Parameter person{
     .name = "name",
     .minimum = 1,
     .maximum = 64,
     .help =
-        "who works here, for the log and for others who see who controls a channel; the first "
-        "name stays"};
+        "name of the person who works here, for the log and for others who see who controls a "
+        "channel; once given, the name cannot be changed"};
 
 constexpr std::array of_subscription{topics, rate};
 constexpr std::array of_role{lower_role, person};
 
 constexpr auto daemon_rows = std::to_array<Method>({
     {.name = "log.status",
-     .help = "recorder and LCM publisher: file, bytes, losses",
+     .help = "show file, bytes and losses of the recorder and the LCM publisher",
      .result = R"({"lcm":{"url":"string?","open":"boolean","sent":"integer","lost":"integer"},
       "file":{"path":"string?","bytes":"integer","events":"integer","error":"string?",
               "rests":"boolean"},
@@ -51,12 +51,12 @@ constexpr auto daemon_rows = std::to_array<Method>({
     {.name = "log.start",
      .role = machine_operator,
      .effect = Effect::changes,
-     .help = "begin a new log file",
+     .help = "start a new log file",
      .result = R"({"path":"string"})"},
     {.name = "log.stop",
      .role = machine_operator,
      .effect = Effect::changes,
-     .help = "end the log file",
+     .help = "close the log file",
      .result = R"({"path":"string"})"},
 
     {.name = "subscribe",
@@ -67,20 +67,20 @@ constexpr auto daemon_rows = std::to_array<Method>({
 
     {.name = "session.role",
      .parameters = of_role,
-     .help = "lower the role of this connection, and say who works there",
+     .help = "lower the role of this connection, and name the person who works there",
      .result = R"({"role":"string"})"},
 
     {.name = "system.info",
-     .help = "version, build, process, files, clients",
+     .help = "show version, build, process, files and clients of the daemon",
      .result = R"({"server":"string","version":"string","api":"integer","build":"string",
       "pid":"integer","uptime_s":"number","history":"string?"})"},
     {.name = "system.shutdown",
      .role = integrator,
      .effect = Effect::changes,
-     .help = "feed hold, then drives off, then the daemon ends"},
+     .help = "hold the feed, then switch the drives off, then end the daemon"},
 
     {.name = "rpc.discover",
-     .help = "this table of methods as an OpenRPC document",
+     .help = "show this table of methods as an OpenRPC document",
      .result = R"({"openrpc":"string","info":{"title":"string","version":"string"},
       "methods":["any"]})"},
 });

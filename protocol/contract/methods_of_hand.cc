@@ -9,7 +9,8 @@ namespace {
 constexpr Parameter line = required_text("text", "one complete statement");
 
 constexpr Parameter jogged_axis = required_text(
-    "axis", "axis of the machine, as in the machine file; with another frame X, Y or Z");
+    "axis",
+    "machine axis as named in the machine file; with another frame than machine: X, Y or Z");
 
 constexpr auto frame_choices = std::to_array<std::string_view>({"machine", "tool", "plane"});
 constexpr Parameter jog_frame{
@@ -21,9 +22,10 @@ constexpr Parameter jog_frame{
     .choices = frame_choices,
     .usual = "machine",
     .help =
-        "whose directions: one axis of the machine, the tool (Z from its tip into the spindle), "
-        "or the workpiece as programs see it now, tilted planes included; the tool goes straight "
-        "then, and the rotary axes stand"};
+        "directions of the jog: those of one machine axis, of the tool (Z points from its tip into "
+        "the spindle), or of the workpiece as programs see it at present, including tilted planes; "
+        "with `tool` and `plane` the tool moves in a straight line and the rotary axes do not "
+        "move"};
 
 constexpr Parameter jog_velocity{.name = "velocity",
                                  .type = ParameterType::number,
@@ -41,14 +43,14 @@ constexpr Parameter jog_increment{
     .unit = "mm, deg",
     .minimum = 0,
     .maximum = velocity_limit,
-    .help = "distance to go; without it the axis moves as long as the jog is repeated"};
+    .help = "distance to move; without it the axis moves as long as the jog is repeated"};
 
 constexpr Parameter homed_axis{.name = "axis",
                                .type = ParameterType::text,
                                .carries = Carries::text,
                                .minimum = 1,
                                .maximum = text_bytes_max,
-                               .help = "one axis only; default: all of the channel"};
+                               .help = "home only this axis; default: all axes of the channel"};
 
 // Who types a line wants to know what came of it.
 constexpr Parameter wait_as_usual = [] {
@@ -76,8 +78,8 @@ constexpr auto hand_rows = std::to_array<Method>({
      .course = Course::repeats,
      .action = "jog",
      .parameters = of_jog,
-     .help = "jog an axis: by an increment, or for 200 ms at a time; repeat the command to keep it "
-             "moving"},
+     .help = "jog an axis by an increment, or for 200 ms at a time; repeat the command to keep the "
+             "axis moving"},
 
     {.name = "home",
      .role = machine_operator,
@@ -85,9 +87,8 @@ constexpr auto hand_rows = std::to_array<Method>({
      .course = Course::moves_axes,
      .action = "home",
      .parameters = of_home,
-     .help =
-         "home the axes of a channel in the order of the machine file: find home switch or index "
-         "pulse; answers when it is done"},
+     .help = "home the axes of a channel in the order of the machine file; finds the home switches "
+             "or index pulses, and answers when homing is done"},
 });
 
 }  // namespace

@@ -11,7 +11,7 @@ constexpr Parameter control{.name = "on",
                             .spelling = Spelling::positional,
                             .minimum = 0,
                             .maximum = 1,
-                            .help = "1 (default): take control; 0: give it back"};
+                            .help = "1 (default): take control; 0: release it"};
 
 constexpr Parameter position_why{.name = "why",
                                  .type = ParameterType::integer,
@@ -19,8 +19,8 @@ constexpr Parameter position_why{.name = "why",
                                  .minimum = 0,
                                  .maximum = 1,
                                  .help =
-                                     "1: with all that lies between the machine position and "
-                                     "each word: zero of the scheme, offsets, lengths, turns"};
+                                     "1: also show everything between the machine position and "
+                                     "each word: zero of the scheme, offsets, lengths, rotations"};
 
 constexpr std::array of_power{seen_cycle};
 constexpr std::array of_position{position_why, channel};
@@ -33,7 +33,7 @@ constexpr auto machine_rows = std::to_array<Method>({
      .effect = Effect::begins_motion,
      .action = "machine_on",
      .parameters = of_power,
-     .help = "switch on the drives of the axes that take part"},
+     .help = "switch on the drives of all axes that are not parked"},
     {.name = "machine.off",
      .role = machine_operator,
      .effect = Effect::stops,
@@ -43,15 +43,16 @@ constexpr auto machine_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::stops,
      .action = "machine_estop",
-     .help = "STOP ALL (not the E-stop): along the path to rest at once, then drives off; "
-             "always accepted"},
+     .help = "STOP ALL (not the E-stop): stop immediately along the path, then switch the drives "
+             "off; always accepted"},
     {.name = "machine.journal",
-     .help = "what operators did, starts and ends of the daemon, the newest 2000, also of before",
+     .help = "list what operators did, and starts and ends of the daemon: the newest 2000 entries, "
+             "including those from before the last start",
      .result = R"({"records":[{"kind":"string","at":"number","session?":"integer","by?":"string",
       "method?":"string","parameters?":"any","outcome?":"string","text?":"string","version?":"string"}],
       "error":"string?"})"},
     {.name = "machine.status",
-     .help = "cycle, drives, real-time figures, state of every channel",
+     .help = "show cycle, drives, real-time figures, and the state of every channel",
      .result = R"({"name":"string","cycle_us":"integer","cycle":"integer","age_ms":"integer",
       "machine_time_s":"number","on":"boolean","idle":"boolean","drives":"string",
       "rt":{"cycle_us":"$percentiles","latency_us":"$percentiles","overruns":"integer",
@@ -61,18 +62,19 @@ constexpr auto machine_rows = std::to_array<Method>({
       "channels":[{"id":"integer","name":"string","state":"string","program_status":"string"}]})"},
 
     {.name = "channel.list",
-     .help = "channels with kind, axes, scheme and state",
+     .help = "list the channels with kind, axes, scheme and state",
      .result = R"({"channels":[{"id":"integer","name":"string","kind":"string",
       "axes":["string"],"words":["string"],"travel":["any"],"scheme":"integer",
       "state":"string",
       "program_status":"string"}]})"},
     {.name = "channel.status",
      .parameters = of_channel,
-     .help = "state, program, block, position, feed and overrides of a channel",
+     .help = "show state, program, block, position, feed and overrides of a channel",
      .result = R"("$channel")"},
     {.name = "channel.position",
      .parameters = of_position,
-     .help = "words that lead to where the channel stands, and where they come from",
+     .help =
+         "show the words that lead to the present position of a channel, and how they are derived",
      .result = R"({"channel":"integer","situation":"integer","scheme":"integer",
       "units":"string","diameter":["string"],"position":"$numbers","point_W":"$numbers",
       "axes":[{"word":"string","axis":"string","unit":"string","machine":"number",
@@ -83,12 +85,12 @@ constexpr auto machine_rows = std::to_array<Method>({
      .effect = Effect::changes,
      .course = Course::holds,
      .parameters = of_control,
-     .help = "control a channel alone until the connection ends; others can still stop it",
+     .help = "take sole control of a channel until the connection ends; others can still stop it",
      .result = R"({"channel":"integer","controlled_by":"string?"})"},
     {.name = "channel.watch",
      .course = Course::reports,
      .parameters = of_watch,
-     .help = "status of a channel as it changes",
+     .help = "show the status of a channel as it changes",
      .result = R"({"topics":["string"],"rate_hz":"number"})"},
 });
 

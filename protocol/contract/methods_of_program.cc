@@ -6,17 +6,17 @@
 namespace stanok::protocol::rows {
 namespace {
 
-constexpr Parameter program = required_text("program", "program file beneath the program root");
+constexpr Parameter program = required_text("program", "program file under the program root");
 
 constexpr Parameter search_target =
-    required_text("target", "line, 120, or block number, N40; of another file: sub.nc:120");
+    required_text("target", "line (120) or block number (N40); in another file: sub.nc:120");
 
 constexpr Parameter search_pass{.name = "pass",
                                 .type = ParameterType::integer,
                                 .carries = Carries::value,
                                 .minimum = 1,
                                 .maximum = 1e6,
-                                .help = "which pass of a loop; default 1"};
+                                .help = "which pass through a loop; default 1"};
 
 constexpr auto calculations = std::to_array<std::string_view>({"with", "without"});
 
@@ -26,8 +26,8 @@ constexpr Parameter search_calculation{
     .carries = Carries::number,
     .choices = calculations,
     .help =
-        "with (default): in the state that the blocks before it would leave; without: in the "
-        "default state"};
+        "with (default): begin in the state that the preceding blocks would leave; without: begin "
+        "in the default state"};
 
 constexpr Parameter skip_level{.name = "level",
                                .type = ParameterType::integer,
@@ -56,15 +56,15 @@ constexpr Parameter approach{.name = "approach",
                              .type = ParameterType::integer,
                              .minimum = 1,
                              .maximum = 4294967295.0,
-                             .help = "number of the approach that the block search told"};
+                             .help = "number of the approach from the answer to the block search"};
 constexpr Parameter restore{.name = "restore",
                             .type = ParameterType::integer,
                             .spelling = Spelling::flag,
                             .minimum = 0,
                             .maximum = 1,
                             .help =
-                                "1: change tool, spindle and coolant at the height of the "
-                                "approach to what the block needs"};
+                                "1: at the height of the approach, change tool, spindle and "
+                                "coolant to what the block needs"};
 
 constexpr std::array of_start{channel, wait, approach, restore, seen_situation, seen_cycle};
 constexpr std::array of_switch{on_or_off, channel};
@@ -81,7 +81,7 @@ constexpr auto program_rows = std::to_array<Method>({
      .course = Course::reads_program,
      .action = "program_load",
      .parameters = of_program,
-     .help = "compile a program; errors come with file, line and column"},
+     .help = "load and compile a program; errors are reported with file, line and column"},
     {.name = "program.run",
      .role = machine_operator,
      .effect = Effect::begins_motion,
@@ -95,7 +95,7 @@ constexpr auto program_rows = std::to_array<Method>({
      .effect = Effect::begins_motion,
      .action = "program_start",
      .parameters = of_start,
-     .help = "start the loaded program; continue it when held",
+     .help = "start the loaded program, or continue it if it is held",
      .result = R"("$end of run")"},
     {.name = "program.hold",
      .role = machine_operator,
@@ -103,7 +103,7 @@ constexpr auto program_rows = std::to_array<Method>({
      .reach = Reach::every_channel,
      .action = "program_hold",
      .parameters = of_channel,
-     .help = "feed hold: come to rest along the path"},
+     .help = "feed hold: stop along the path"},
     {.name = "program.resume",
      .role = machine_operator,
      .effect = Effect::begins_motion,
@@ -116,7 +116,7 @@ constexpr auto program_rows = std::to_array<Method>({
      .reach = Reach::every_channel,
      .action = "program_stop",
      .parameters = of_channel,
-     .help = "hold, then end the program without an alarm"},
+     .help = "hold the feed, then end the program without an alarm"},
     {.name = "program.reset",
      .role = machine_operator,
      .effect = Effect::stops,
@@ -129,13 +129,13 @@ constexpr auto program_rows = std::to_array<Method>({
      .effect = Effect::changes,
      .action = "optional_stop",
      .parameters = of_switch,
-     .help = "optional stop: whether M1 stops the program"},
+     .help = "optional stop: set whether M1 stops the program"},
     {.name = "program.step",
      .role = machine_operator,
      .effect = Effect::changes,
      .action = "single_block",
      .parameters = of_switch,
-     .help = "single block: stop after each block; program start lets the next one begin"},
+     .help = "single block: stop after each block; `program start` begins the next one"},
     {.name = "program.skip",
      .role = machine_operator,
      .effect = Effect::changes,
@@ -149,17 +149,16 @@ constexpr auto program_rows = std::to_array<Method>({
      .parameters = of_skip,
      .help = "execute the blocks of a level again"},
     {.name = "program.list",
-     .help =
-         "program files beneath the program root, with the times (Unix) of their last change, and "
-         "of the last check and run since the daemon started",
+     .help = "list the program files under the program root, with the times (Unix) of their last "
+             "change, and of the last check and run since the daemon started",
      .result = R"({"root":"string","programs":[{"name":"string","bytes":"integer",
       "changed_s":"number","checked_s":"number?","check_ok":"boolean?","ran_s":"number?",
       "run_ok":"boolean?"}],
       "complete":"boolean"})"},
     {.name = "program.history",
      .parameters = of_channel,
-     .help = "program runs, with times and how they ended, the newest 500 of each channel; cycles "
-             "are those of this start of the daemon",
+     .help = "list the newest 500 program runs of each channel, with their times and how they "
+             "ended; cycles are those of this start of the daemon",
      .result = R"({"runs":[{"channel":"integer","number":"integer","program":"string",
       "begun_cycle":"integer?","ended_cycle":"integer?","begun_at":"number?","ended_at":"number?","end":"string?",
       "blocks":"integer","time_s":"number","path_mm":"number",
@@ -170,8 +169,8 @@ constexpr auto program_rows = std::to_array<Method>({
      .course = Course::reads_program,
      .action = "program_search",
      .parameters = of_search,
-     .help = "block search: the loaded program begins at this block when it is started; answers "
-             "what lies before it",
+     .help = "block search: make the loaded program begin at this block when it is started; the "
+             "answer shows what precedes the block",
      .result = R"({"target":"string","calculated":"boolean",
       "approach?":{"number":"integer","changes":["string"],
                    "moves":[{"kind":"string","to":"$numbers","length_mm":"number",
@@ -182,19 +181,19 @@ constexpr auto program_rows = std::to_array<Method>({
      .effect = Effect::changes,
      .action = "override_feed",
      .parameters = of_feed,
-     .help = "feed override of a channel"},
+     .help = "set the feed override of a channel"},
     {.name = "override.rapid",
      .role = machine_operator,
      .effect = Effect::changes,
      .action = "override_rapid",
      .parameters = of_rapid,
-     .help = "rapid override of a channel"},
+     .help = "set the rapid override of a channel"},
     {.name = "override.spindle",
      .role = machine_operator,
      .effect = Effect::changes,
      .action = "override_spindle",
      .parameters = of_spindle,
-     .help = "spindle override of a channel"},
+     .help = "set the spindle override of a channel"},
 });
 
 }  // namespace

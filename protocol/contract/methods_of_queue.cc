@@ -10,7 +10,7 @@ constexpr double entries_max = 1e9;
 constexpr double places_max = 500.0;
 
 constexpr Parameter queued_program =
-    required_text("program", "program file beneath the program root");
+    required_text("program", "program file under the program root");
 
 constexpr Parameter entry{.name = "id",
                           .type = ParameterType::integer,
@@ -18,7 +18,7 @@ constexpr Parameter entry{.name = "id",
                           .spelling = Spelling::positional,
                           .minimum = 1,
                           .maximum = entries_max,
-                          .help = "which entry, as queue.list tells it"};
+                          .help = "number of the entry, as queue.list shows it"};
 
 constexpr Parameter place{.name = "place",
                           .type = ParameterType::integer,
@@ -26,7 +26,7 @@ constexpr Parameter place{.name = "place",
                           .spelling = Spelling::positional,
                           .minimum = 1,
                           .maximum = places_max,
-                          .help = "its new place, from 1"};
+                          .help = "new position in the queue, from 1"};
 
 constexpr std::array of_add{queued_program, channel};
 constexpr std::array of_entry{entry, channel};
@@ -36,39 +36,38 @@ constexpr std::string_view queues = R"("$queues")";
 constexpr auto queue_rows = std::to_array<Method>({
     {.name = "queue.list",
      .parameters = of_channel,
-     .help = "programs that wait, of one channel or all; what stopped a queue",
+     .help = "list the waiting programs of one channel or of all, and what stopped a queue",
      .result = queues},
     {.name = "queue.add",
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_add,
-     .help = "put a program at the end of the queue of a channel",
+     .help = "add a program to the end of the queue of a channel",
      .result = queues},
     {.name = "queue.remove",
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_entry,
-     .help = "take a program out of the queue, unless it is under way",
+     .help = "remove a program from the queue, unless it is in progress",
      .result = queues},
     {.name = "queue.move",
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_move,
-     .help = "give a program another place in the queue",
+     .help = "move a program to another position in the queue",
      .result = queues},
     {.name = "queue.start",
      .role = machine_operator,
      .effect = Effect::begins_motion,
      .parameters = of_motion,
-     .help =
-         "run the programs of the queue one after the other, until one fails, somebody stops or "
-         "resets something, takes the channel, or an alarm comes",
+     .help = "run the programs of the queue one after the other, until one fails, an alarm occurs, "
+             "or somebody stops or resets something or takes the channel",
      .result = queues},
     {.name = "queue.stop",
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_channel,
-     .help = "begin no further program; the one under way goes on",
+     .help = "start no further program; the one in progress continues",
      .result = queues},
 });
 

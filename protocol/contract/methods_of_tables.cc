@@ -25,7 +25,7 @@ constexpr Parameter tool_value{.name = "key",
                                .spelling = Spelling::positional,
                                .carries = Carries::text,
                                .choices = tool_value_choices,
-                               .help = "which value of the tool"};
+                               .help = "name of the value"};
 
 constexpr Parameter table_value{.name = "value",
                                 .type = ParameterType::number,
@@ -63,14 +63,14 @@ constexpr Parameter offset_axis{.name = "axis",
                                 .carries = Carries::more_text,
                                 .minimum = 1,
                                 .maximum = 16,
-                                .help = "axis of the machine; R: rotation"};
+                                .help = "axis of the machine, or R for the rotation"};
 
 constexpr Parameter confirmed{
     .name = "confirmed",
     .type = ParameterType::integer,
     .minimum = 0,
     .maximum = 1,
-    .help = "1: set it even where entry_limits make value or change unlikely"};
+    .help = "1: set the value even if entry_limits make the value or the change unlikely"};
 
 constexpr double table_bytes_max = 1e6;
 
@@ -82,11 +82,12 @@ constexpr Parameter tables_text{.name = "tables",
                                 .maximum = table_bytes_max,
                                 .help = "tools and work offsets, as in a tables file"};
 
-constexpr Parameter tables_name{.name = "file",
-                                .type = ParameterType::text,
-                                .minimum = 1,
-                                .maximum = 4096,
-                                .help = "name of the text in messages; default: that of the file"};
+constexpr Parameter tables_name{
+    .name = "file",
+    .type = ParameterType::text,
+    .minimum = 1,
+    .maximum = 4096,
+    .help = "name of the text in messages; default: the name of the file"};
 
 constexpr Parameter touched_axis{.name = "axis",
                                  .type = ParameterType::text,
@@ -103,7 +104,7 @@ constexpr Parameter touched_value{.name = "value",
                                   .unit = "mm, deg",
                                   .minimum = -velocity_limit,
                                   .maximum = velocity_limit,
-                                  .help = "where the axis is to stand, in the work system"};
+                                  .help = "position that the axis is to have in the work system"};
 
 constexpr auto touch_choices = std::to_array<std::string_view>({"radius", "diameter"});
 
@@ -111,7 +112,7 @@ constexpr Parameter touched_as{
     .name = "as",
     .type = ParameterType::choice,
     .choices = touch_choices,
-    .help = "what the value is; required where X is shown as a diameter"};
+    .help = "whether the value is a radius or a diameter; required if X is shown as a diameter"};
 
 constexpr Parameter touched_tool{.name = "number",
                                  .type = ParameterType::integer,
@@ -133,7 +134,7 @@ constexpr Parameter undo_number{.name = "undo",
                                 .spelling = Spelling::positional,
                                 .minimum = 1,
                                 .maximum = 1e9,
-                                .help = "number that the answer to the touch-off had"};
+                                .help = "number from the answer to the touch-off"};
 
 constexpr std::string_view touch_result = R"({"old":"number","new":"number","undo":"integer"})";
 
@@ -148,10 +149,10 @@ constexpr std::array of_tables{tables_text, tables_name, confirmed};
 constexpr std::array of_offset_value{offset_name, offset_axis, table_value, confirmed};
 
 constexpr auto tables_rows = std::to_array<Method>({
-    {.name = "tool.list", .help = "tool table", .result = R"({"tools":["$tool"]})"},
+    {.name = "tool.list", .help = "list the tool table", .result = R"({"tools":["$tool"]})"},
     {.name = "tool.get",
      .parameters = of_tool,
-     .help = "values of one edge of a tool",
+     .help = "show the values of one edge of a tool",
      .result = R"("$tool")"},
     {.name = "tool.set",
      .role = machine_operator,
@@ -163,25 +164,26 @@ constexpr auto tables_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_touched_tool,
-     .help = "set the length of a tool so that an axis stands at a value (touch off); at rest",
+     .help =
+         "touch off: set the length of a tool so that an axis is at a given value; only at rest",
      .result = touch_result},
     {.name = "tool.load",
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_tables,
-     .help = "set the tools and work offsets that a text names; not while a program runs",
+     .help = "set the tools and work offsets that a text lists; not while a program runs",
      .result = R"({"values":"integer"})"},
     {.name = "tool.save",
-     .help = "print tools and work offsets as a text that tool load takes",
+     .help = "print tools and work offsets as a text for `tool load`",
      .result = R"({"tables":"string"})"},
     {.name = "tool.history",
-     .help = "changes of tools and work offsets since the daemon started, the newest 500, the "
+     .help = "list the newest 500 changes of tools and work offsets since the daemon started, "
              "newest first: by an operator, or by the program that ran last",
      .result = R"({"changes":[{"time_s":"number","by":"string","what":"string","from":"number",
       "to":"number"}]})"},
 
     {.name = "offset.list",
-     .help = "work offsets",
+     .help = "list the work offsets",
      .result = R"({"axes":["string"],"offsets":{"*":"$numbers"}})"},
     {.name = "offset.set",
      .role = machine_operator,
@@ -193,14 +195,13 @@ constexpr auto tables_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_touched_offset,
-     .help = "set a work offset so that an axis stands at a value (touch off); at rest",
+     .help = "touch off: set a work offset so that an axis is at a given value; only at rest",
      .result = touch_result},
     {.name = "offset.undo",
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_undo,
-     .help = "take a touch-off back, of an offset or a tool, where nobody has changed the value "
-             "since",
+     .help = "undo a touch-off of an offset or a tool, if nobody has changed the value since",
      .result = R"({"old":"number","new":"number"})"},
 });
 

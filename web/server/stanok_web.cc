@@ -31,36 +31,38 @@ struct CommandLine {
 
 void add_options(CLI::App& app, CommandLine& given) {
   app.add_option("--listen", given.listen,
-                 "address and port; default 127.0.0.1:8080, port 0: a free one")
+                 "address and port to listen on; default 127.0.0.1:8080; port 0: any free port")
       ->type_name("ADDRESS:PORT");
   app.add_option("--socket", given.options.sockets,
-                 "socket of the daemon; default: the only one there is; may be given again, for a "
-                 "page that shows several machines, the first one as a rule")
+                 "socket of the daemon; default: the only one that exists; may be repeated for a "
+                 "page with several machines, which shows the first one unless another is chosen")
       ->type_name("PATH");
   app.add_option("--history", given.options.history,
-                 "history of the gateway that the page shows: file of SQLite or postgresql://...")
+                 "history of the gateway to show on the page: an SQLite file or postgresql://...")
       ->type_name("DATABASE");
-  app.add_option("--link-socket", given.options.link_socket,
-                 "where stanok panel asks for links; default: beside the socket of the daemon")
+  app.add_option(
+         "--link-socket", given.options.link_socket,
+         "socket on which `stanok panel` asks for links; default: next to the socket of the daemon")
       ->type_name("PATH");
-  app.add_option("--page", given.options.page, "folder of the page; default: the installed one")
+  app.add_option("--page", given.options.page, "folder of the page; default: the installed page")
       ->type_name("FOLDER");
   app.add_option("--manual", given.options.manual,
-                 "folder of the documents that the page shows; default: the installed ones")
+                 "folder of the documents that the page shows; default: the installed documents")
       ->type_name("FOLDER");
   app.add_option("--name", given.options.names,
-                 "a name by which browsers may call this server; may be given again")
+                 "name under which browsers may reach this server; may be repeated")
       ->type_name("HOST");
-  app.add_option("--users", given.options.users, "file of the users; default: links only")
+  app.add_option("--users", given.options.users,
+                 "file of the users; default: no users, access by links only")
       ->type_name("FILE");
-  app.add_option(
-         "--sessions", given.options.sessions,
-         "file in which sessions outlive the server; default: ADDRESS:PORT.sessions in the state "
-         "directory, none for port 0")
+  app.add_option("--sessions", given.options.sessions,
+                 "file that keeps sessions across restarts of the server; default: "
+                 "ADDRESS:PORT.sessions in the state directory, none for port 0")
       ->type_name("FILE");
-  app.add_option("--tls-cert", given.options.tls_certificate, "certificate chain of TLS (PEM)")
+  app.add_option("--tls-cert", given.options.tls_certificate, "TLS certificate chain (PEM)")
       ->type_name("FILE");
-  app.add_option("--tls-key", given.options.tls_key, "its key (PEM)")->type_name("FILE");
+  app.add_option("--tls-key", given.options.tls_key, "key of the certificate (PEM)")
+      ->type_name("FILE");
 }
 
 WebOptions complete(CommandLine given) {

@@ -111,13 +111,15 @@ void add_user_commands(CLI::App& app, const std::filesystem::path& users, int& e
     }
   };
   const auto given = std::make_shared<Given>();
-  CLI::App* user = app.add_subcommand("user", "users of the page");
+  CLI::App* user = app.add_subcommand("user", "manage the users of the page");
   user->require_subcommand(1);
 
-  CLI::App* add = user->add_subcommand(
-      "add", "add a user, or change role and password; asks for the password, or reads a line");
+  CLI::App* add =
+      user->add_subcommand("add",
+                           "add a user, or change role and password; asks for the password on a "
+                           "terminal, otherwise reads it from a line of standard input");
   add->add_option("NAME", given->name, "name of the user")->required();
-  add->add_option("--role", given->role, "what the user may do: each role includes those before it")
+  add->add_option("--role", given->role, "role of the user; each role includes the ones before it")
       ->required()
       ->check(CLI::IsMember({"observer", "operator", "programmer", "integrator"}));
   add_file_option(*add, given->file);
@@ -126,8 +128,8 @@ void add_user_commands(CLI::App& app, const std::filesystem::path& users, int& e
     exit_code = 0;
   });
 
-  CLI::App* remove =
-      user->add_subcommand("remove", "remove a user; who is logged in loses the page at once");
+  CLI::App* remove = user->add_subcommand(
+      "remove", "remove a user; a user who is signed in loses the page immediately");
   remove->add_option("NAME", given->name, "name of the user")->required();
   add_file_option(*remove, given->file);
   remove->callback([given, &users, &exit_code] {
@@ -135,7 +137,7 @@ void add_user_commands(CLI::App& app, const std::filesystem::path& users, int& e
     exit_code = 0;
   });
 
-  CLI::App* list = user->add_subcommand("list", "list names and roles");
+  CLI::App* list = user->add_subcommand("list", "list the users and their roles");
   add_file_option(*list, given->file);
   list->callback([given, &users, &exit_code] {
     list_users(given->users_or(users));

@@ -173,7 +173,8 @@ void add_engine_options(CLI::App& command, BatchOptions& options) {
                                                   {"slurm", EngineKind::slurm}};
   command
       .add_option("--engine", options.engine.kind,
-                  "who works: this computer (local, until it is done), or a cluster (slurm)")
+                  "where to work: on this computer (local, until the work is done), or on a "
+                  "cluster (slurm)")
       ->transform(CLI::CheckedTransformer(engines).description(""))
       ->type_name("local|slurm");
   command
@@ -182,7 +183,7 @@ void add_engine_options(CLI::App& command, BatchOptions& options) {
       ->type_name("OPTION");
   command
       .add_option("--chunk", options.chunk,
-                  "programs of a chunk, best some 30 s of work (default: 100, or as many as make a "
+                  "programs per chunk, best about 30 s of work (default: 100, or as many as make a "
                   "thousand chunks)")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
@@ -191,28 +192,29 @@ void add_engine_options(CLI::App& command, BatchOptions& options) {
 void add_submit(CLI::App& noun, int& exit_code) {
   const auto options = std::make_shared<BatchOptions>();
   CLI::App* command = noun.add_subcommand(
-      "submit", "divide programs into chunks and have them done; again: what is not done");
+      "submit",
+      "divide programs into chunks and process them; when repeated, only those that are not done");
   command
       ->add_option("PROGRAM", options->programs,
-                   "part programs, or folders of them; none: the batch that lies in the folder")
+                   "part programs, or folders of them; none: the batch that is in the folder")
       ->type_name("FILE");
   command
       ->add_option("--work", options->work,
-                   "folder of the batch, the same on every computer that takes part")
+                   "folder of the batch, the same on every computer involved")
       ->type_name("FOLDER")
       ->required();
   const std::map<std::string, BatchTask> tasks{{"check", BatchTask::check},
                                                {"simulate", BatchTask::simulate}};
-  command->add_option("--task", options->task, "what is done with each program (check)")
+  command->add_option("--task", options->task, "what to do with each program (check)")
       ->transform(CLI::CheckedTransformer(tasks).description(""))
       ->type_name("check|simulate");
   add_job_options(*command, options->job);
   command->get_option("--machine")->required(false);
   add_steps_option(*command, options->job);
   command
-      ->add_option("--limit", options->limit,
-                   "leave a program after so many blocks (check), or seconds of machine time "
-                   "(simulate)")
+      ->add_option(
+          "--limit", options->limit,
+          "end a program after this many blocks (check), or seconds of machine time (simulate)")
       ->check(CLI::PositiveNumber)
       ->type_name("BLOCKS|SECONDS");
   command->add_flag("--drives", options->drives, "run the simulated drives (simulate)");
@@ -232,7 +234,8 @@ void add_submit(CLI::App& noun, int& exit_code) {
 }  // namespace
 
 void add_batch_commands(CLI::App& app, int& exit_code) {
-  CLI::App& noun = noun_command(app, "batch", "libraries of programs on one computer or a cluster");
+  CLI::App& noun =
+      noun_command(app, "batch", "process libraries of programs on one computer or a cluster");
   add_submit(noun, exit_code);
   const auto add = [&](const char* verb, const char* help, int (*job)(const BatchOptions&)) {
     const auto options = std::make_shared<BatchOptions>();
@@ -245,15 +248,16 @@ void add_batch_commands(CLI::App& app, int& exit_code) {
     return std::pair(command, options);
   };
   const auto [state, of_state] =
-      add("status", "tell how many chunks are done, run, wait, failed", &status);
+      add("status", "show how many chunks are done, running, waiting and failed", &status);
   state->add_flag("--wait", of_state->waits,
-                  "until all is over; chunks that were lost are submitted again");
-  add("results", "print what `check` or `simulate` of the programs would", &results);
-  add("cancel", "begin no chunk any more, and end those that run", &cancel);
+                  "wait until all chunks have ended; lost chunks are submitted again");
+  add("results", "print what `check` or `simulate` would print for the programs", &results);
+  add("cancel", "start no more chunks, and end those that are running", &cancel);
   const auto options = std::make_shared<BatchOptions>();
-  CLI::App* task = noun.add_subcommand("run", "do one chunk here: what a task of a cluster does");
+  CLI::App* task =
+      noun.add_subcommand("run", "process one chunk here, as a task of a cluster does");
   task->add_option("FOLDER", options->work, "folder of the batch")->type_name("FOLDER")->required();
-  task->add_option("CHUNK", options->task_index, "its number, from 0")->required();
+  task->add_option("CHUNK", options->task_index, "number of the chunk, from 0")->required();
   task->callback([options, &exit_code] {
     exit_code = run_task(BatchFolder(options->work), options->task_index);
   });

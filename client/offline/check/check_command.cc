@@ -25,19 +25,18 @@ int run(const CheckOptions& options) {
 
 void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "find errors of programs without running them");
+  CLI::App* command = app.add_subcommand("check", "find errors in programs without running them");
   command->add_option("PROGRAM", options->programs, "part programs, or folders of them")
       ->type_name("FILE")
       ->required();
-  command->add_flag(
-      "--estimate", options->wanted.estimate,
-      "time and figures of each block under a feed law; with --json an object, that has "
-      "the tilted planes, too");
+  command->add_flag("--estimate", options->wanted.estimate,
+                    "also print time and figures of each block under a feed law; with --json, "
+                    "print an object that includes the tilted planes");
   add_job_options(*command, options->wanted.job);
   add_steps_option(*command, options->wanted.job);
   command
       ->add_option("--limit", options->wanted.job.limit,
-                   "follow no program for more than so many blocks (W820)")
+                   "check at most this many blocks of a program (W820)")
       ->check(CLI::PositiveNumber)
       ->type_name("BLOCKS");
   add_library_options(*command, options->library);

@@ -208,16 +208,17 @@ int run_study_command(const GrindOptions& options) {
 }
 
 void add_process_options(CLI::App& command, GrindOptions& options) {
-  command.add_flag("--exact", options.exact, "removal Q = a R instead of the paper's triangle");
+  command.add_flag("--exact", options.exact,
+                   "calculate the removal as Q = a R instead of the paper's triangle");
   command
       .add_option("--burn-margin", options.burn_margin,
-                  "part by which the removal may exceed the burn line (0.05)")
+                  "fraction by which the removal may exceed the burn line (0.05)")
       ->check(CLI::Range(0.0, 1.0));
   command
       .add_option("--spark-out", options.spark_out_revolutions,
-                  "revolutions of the part after the last X")
+                  "spark-out revolutions of the part after the last X")
       ->check(CLI::Range(0.0, 1000.0));
-  command.add_option("--time-step", options.time_step_s, "step of the simulation, s (0.0005)")
+  command.add_option("--time-step", options.time_step_s, "time step of the simulation, s (0.0005)")
       ->check(CLI::Range(1e-6, 0.0005));
 }
 
@@ -237,11 +238,11 @@ void add_result_options(CLI::App& command, GrindOptions& options) {
 void add_machine_options(CLI::App& command, GrindOptions& options) {
   command
       .add_option("--gauge", options.gauge_margin_mm,
-                  "the gauge ends the last feed, at most this far below the last X, mm")
+                  "let the gauge end the last feed, at most this far below the last X, mm")
       ->check(CLI::Range(0.001, 1.0));
   command
       .add_option("--machine", options.machine.machine_file,
-                  "machine file: spindles of its grind channel")
+                  "machine file, for the spindles of its grind channel")
       ->type_name("FILE");
   command.add_option("--channel", options.machine.channel, "channel of the machine")
       ->check(CLI::PositiveNumber);
@@ -253,9 +254,11 @@ void add_machine_options(CLI::App& command, GrindOptions& options) {
 
 void add_staircase_options(CLI::App& command, GrindOptions& options) {
   command
-      .add_option("--points", options.points, "number of switch points; default: as many as pay")
+      .add_option("--points", options.points,
+                  "number of switch points; default: as many as are worthwhile")
       ->check(CLI::Range(0, process::switch_points_max));
-  command.add_option("--at", options.at_mm, "their X in mm, falling: 0.26,0.09,0.02")
+  command
+      .add_option("--at", options.at_mm, "X of the switch points in mm, descending: 0.26,0.09,0.02")
       ->delimiter(',')
       ->excludes("--points");
   command
@@ -268,9 +271,10 @@ void add_iteration_options(CLI::App& command, GrindOptions& options) {
   command.add_option("--koc", options.feedback, "gain of the iteration, below 1 (0.5)")
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--iterations", options.iterations, "most iterations; 0: the constant feed (40)")
+      .add_option("--iterations", options.iterations,
+                  "maximum number of iterations; 0: the constant feed (40)")
       ->check(CLI::Range(0, 1000));
-  command.add_flag("--force", options.force, "keep iterating, even at a gain that is not stable");
+  command.add_flag("--force", options.force, "keep iterating even with a gain that is not stable");
 }
 
 using Run = int (*)(const GrindOptions&);
@@ -296,15 +300,16 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
   add_staircase_options(*design, *of_design);
   add_iteration_options(*design, *of_design);
   design
-      ->add_option("--spread", of_design->spreads,
-                   "KEY=PART: the table must do for values that far to either side: stiffness, "
-                   "force_factor (parts), allowance (mm); several times")
+      ->add_option(
+          "--spread", of_design->spreads,
+          "KEY=PART: the table must also work for values that differ by this much to either side: "
+          "stiffness, force_factor (fractions), allowance (mm); may be repeated")
       ->type_name("KEY=PART");
   add_result_options(*design, *of_design);
   add_machine_options(*design, *of_design);
 
   const auto [verify, of_verify] =
-      add("verify", "simulate the cycle of a control file and judge it", &run_verify);
+      add("verify", "simulate and assess the cycle of a control file", &run_verify);
   verify->add_option("CONTROL_FILE", of_verify->input, "control file")
       ->type_name("FILE")
       ->required();
@@ -320,25 +325,26 @@ void add_grind_commands(CLI::App& app, int& exit_code) {
       ->type_name("FILE")
       ->required();
   program
-      ->add_option("--spark-out", of_program->spark_out_revolutions, "revolutions after the last X")
+      ->add_option("--spark-out", of_program->spark_out_revolutions,
+                   "spark-out revolutions after the last X")
       ->check(CLI::Range(0.0, 1000.0));
   add_machine_options(*program, *of_program);
 
   const auto [study, of_study] =
-      add("study", "design cycles over varied numbers of a process, as CSV", &run_study_command);
+      add("study", "design cycles for varied values of a process, as CSV", &run_study_command);
   study->add_option("PROCESS", of_study->input, "process file (.toml) or control file")
       ->type_name("FILE")
       ->required();
   study
       ->add_option("--set,--vary", of_study->variations,
-                   "KEY=FROM:TO:COUNT, in equal steps, or KEY=A,B,C; several times")
+                   "KEY=FROM:TO:COUNT, in equal steps, or KEY=A,B,C; may be repeated")
       ->required();
   study
       ->add_option("--part", of_study->part,
-                   "the K-th of N parts of the study, for arrays of jobs: all parts one behind the "
-                   "other are the whole file; default 1/1")
+                   "part K of N of the study, for job arrays: all parts one after the other make "
+                   "the whole file; default 1/1")
       ->type_name("K/N");
-  study->add_option("--out", of_study->out, "CSV file; default: the standard output")
+  study->add_option("--out", of_study->out, "CSV file; default: standard output")
       ->type_name("FILE");
   add_process_options(*study, *of_study);
   add_staircase_options(*study, *of_study);

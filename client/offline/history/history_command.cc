@@ -122,13 +122,13 @@ void add_query(CLI::App& history, const gateway::Query& query, int& exit_code) {
   CLI::App& command = *history.add_subcommand(std::string(query.name), std::string(query.help));
   command
       .add_option("--database", options->database,
-                  "file of SQLite or postgresql://...; default: $STANOK_HISTORY, else that of the "
-                  "gateway of this user")
+                  "SQLite file or postgresql://...; default: $STANOK_HISTORY, otherwise the "
+                  "history of the gateway of this user")
       ->type_name("DATABASE");
-  command.add_option("--since", options->since, "back from now; default 30d")
+  command.add_option("--since", options->since, "how far back from now; default 30d")
       ->type_name("30d|12h|45min");
-  command.add_option("--machine", options->machine, "of this machine only")->type_name("NAME");
-  command.add_flag("--json", options->json, "result as JSON");
+  command.add_option("--machine", options->machine, "show this machine only")->type_name("NAME");
+  command.add_flag("--json", options->json, "print JSON");
   command.callback([&query, options, &exit_code] {
     show(query, *options);
     exit_code = 0;
@@ -141,15 +141,15 @@ void add_history_commands(CLI::App& app, int& exit_code) {
   CLI::App& history = noun_command(app, noun, noun_help);
   for (const gateway::Query& query : gateway::queries()) add_query(history, query, exit_code);
   const auto options = std::make_shared<HistoryOptions>();
-  CLI::App& command =
-      *history.add_subcommand("copy", "add what one history has to another one, of either engine");
-  command.add_option("from", options->from, "file of SQLite or postgresql://...")
+  CLI::App& command = *history.add_subcommand(
+      "copy", "add the entries of one history to another, of either database engine");
+  command.add_option("from", options->from, "SQLite file or postgresql://...")
       ->required()
       ->type_name("FROM");
-  command.add_option("to", options->to, "likewise; made where there is none")
+  command.add_option("to", options->to, "likewise; created if it does not exist")
       ->required()
       ->type_name("TO");
-  command.add_flag("--json", options->json, "result as JSON");
+  command.add_flag("--json", options->json, "print JSON");
   command.callback([options, &exit_code] {
     copy(*options);
     exit_code = 0;

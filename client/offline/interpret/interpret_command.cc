@@ -93,7 +93,7 @@ int run(const InterpretOptions& options) {
 void add_interpret_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<InterpretOptions>();
   CLI::App* command =
-      app.add_subcommand("interpret", "print a program's records after block preparation");
+      app.add_subcommand("interpret", "print the records of a program after block preparation");
   command->add_option("PROGRAM", options->program, "part program")->type_name("FILE")->required();
   add_job_options(*command, options->job);
   add_steps_option(*command, options->job);
@@ -102,10 +102,11 @@ void add_interpret_command(CLI::App& app, int& exit_code) {
   command->add_option("--from-block", options->from_block, "begin at block N (block search)")
       ->excludes(line);
   command
-      ->add_option("--pass", options->passes, "at this pass of a loop through the block; default 1")
+      ->add_option("--pass", options->passes,
+                   "begin at this pass of a loop through the block; default 1")
       ->check(CLI::PositiveNumber);
   command->add_flag("--without-calculation", options->without_calculation,
-                    "skip the blocks before it instead of interpreting them");
+                    "skip the preceding blocks instead of interpreting them");
   command->add_flag("--quiet", options->quiet, "print the summary only");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -112,11 +112,11 @@ int clean_cache(const CacheOptions& options) {
 }  // namespace
 
 void add_cache_commands(CLI::App& app, int& exit_code) {
-  CLI::App& noun = noun_command(app, "cache", "results that check, simulate and batch keep");
+  CLI::App& noun = noun_command(app, "cache", "results kept by check, simulate and batch");
   const auto add = [&](const char* verb, const char* help, int (*job)(const CacheOptions&)) {
     const auto options = std::make_shared<CacheOptions>();
     CLI::App* command = noun.add_subcommand(verb, help);
-    command->add_option("FOLDER", options->folder, "folder of --cache")
+    command->add_option("FOLDER", options->folder, "folder given to --cache")
         ->type_name("FOLDER")
         ->check(CLI::ExistingDirectory)
         ->required();
@@ -124,16 +124,16 @@ void add_cache_commands(CLI::App& app, int& exit_code) {
     command->callback([options, job, &exit_code] { exit_code = job(*options); });
     return std::pair(command, options);
   };
-  add("status", "tell how many results lie there, and how large they are", &show_cache);
-  const auto [clean, of_clean] = add(
-      "clean", "remove results that nobody uses; others may work there meanwhile", &clean_cache);
+  add("status", "show how many results the folder holds, and how large they are", &show_cache);
+  const auto [clean, of_clean] =
+      add("clean", "remove unused results; others may use the cache in the meantime", &clean_cache);
   clean
       ->add_option("--keep", of_clean->keep,
-                   "what was used within this time (30d, 12h) stays, the rest goes")
+                   "keep what was used within this time (30d, 12h), remove the rest")
       ->type_name("TIME");
   clean
       ->add_option("--size", of_clean->size,
-                   "what was not used for longest goes, until so much is left (2G, 500M)")
+                   "remove what has been unused longest until this much is left (2G, 500M)")
       ->type_name("SIZE");
 }
 

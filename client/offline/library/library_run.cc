@@ -125,15 +125,15 @@ std::string digest_of_this_program() {
 
 void add_library_options(CLI::App& command, LibraryOptions& options) {
   command
-      .add_option("--jobs", options.jobs,
-                  "so many programs at a time, each in a process of its own (1); 0: one for each "
-                  "processor")
+      .add_option(
+          "--jobs", options.jobs,
+          "number of programs at a time, each in its own process (1); 0: one for each processor")
       ->check(CLI::Range(0, jobs_max))
       ->type_name("N");
   command
       .add_option("--cache", options.cache,
-                  "keep results in this folder, and take them from there while program, machine "
-                  "and stanok are the same")
+                  "keep results in this folder, and reuse them as long as program, machine and "
+                  "stanok are the same")
       ->type_name("FOLDER");
 }
 

@@ -216,27 +216,28 @@ void add_log_commands(CLI::App& app, int& exit_code) {
     return std::pair(command, options);
   };
   const auto [info, info_options] =
-      add("info", "show what a log file contains, and what is damaged", &print_contents);
+      add("info", "show what a log file contains and what is damaged", &print_contents);
   info->add_flag("--json", info_options->json, "print JSON");
 
   const auto [situations, situation_options] =
-      add("situations", "show what gave the words of programs their meaning, and since when",
+      add("situations",
+          "show what determines the meaning of program words (offset, tool, codes), and since when",
           &print_situations);
   situations->add_option("--channel", situation_options->channel, "channel; default: all")
       ->check(CLI::PositiveNumber);
-  situations->add_flag("--json", situation_options->json, "print a line of JSON for each");
+  situations->add_flag("--json", situation_options->json, "print one line of JSON for each change");
 
   const auto [csv, csv_options] =
       add("export", "write the setpoints of a log file as CSV", &export_csv);
-  csv->add_option("--csv", csv_options->out, "file to write; - is the standard output")
+  csv->add_option("--csv", csv_options->out, "file to write; -: standard output")
       ->type_name("FILE")
       ->required();
   csv->add_option("--channel", csv_options->channel, "channel of the machine")
       ->check(CLI::PositiveNumber);
 
   const auto [pictures, plot_options] =
-      add("plot", "draw path, speed and axes of a log file (PNG and SVG, by gnuplot)", &plot);
-  pictures->add_option("--out", plot_options->out, "directory for the pictures")
+      add("plot", "draw path, speed and axes of a log file (PNG and SVG, with gnuplot)", &plot);
+  pictures->add_option("--out", plot_options->out, "folder for the pictures")
       ->type_name("FOLDER")
       ->required();
   pictures->add_option("--channel", plot_options->channel, "channel of the machine; default: all")

@@ -27,7 +27,9 @@ void add_job_options(CLI::App& command, JobOptions& options) {
   command.add_option("--channel", options.channel, "channel of PROGRAM")->capture_default_str();
   command.add_option("--scheme", options.schemes, "CH=ID: kinematic scheme active at the start")
       ->type_name("CH=ID");
-  command.add_option("--program-root", options.program_root, "folder where programs are searched")
+  command
+      .add_option("--program-root", options.program_root,
+                  "folder in which programs are searched for")
       ->type_name("FOLDER");
   command.add_flag("--json", options.json, "print JSON");
 }
@@ -35,7 +37,7 @@ void add_job_options(CLI::App& command, JobOptions& options) {
 void add_steps_option(CLI::App& command, JobOptions& options) {
   command
       .add_option("--steps", options.steps,
-                  "stop a program without an end after so many million steps")
+                  "stop a program that does not end after this many million steps")
       ->check(CLI::Range(1, 1'000'000));
 }
 

@@ -50,7 +50,7 @@ int check_machine(const MachineCheckOptions& options) {
 void add_machine_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<MachineCheckOptions>();
   CLI::App* command = noun_command(app, "machine", "the machine as a whole")
-                          .add_subcommand("check", "find errors of a machine file");
+                          .add_subcommand("check", "find errors in a machine file");
   command->add_option("MACHINE", options->path, "machine file (TOML)")
       ->type_name("FILE")
       ->required();

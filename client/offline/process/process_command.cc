@@ -95,7 +95,7 @@ CLI::App* noun_of(CLI::App& app) {
   for (CLI::App* noun : app.get_subcommands({})) {
     if (noun->get_name() == "process") return noun;
   }
-  return app.add_subcommand("process", "what a cut may be");
+  return app.add_subcommand("process", "cutting process");
 }
 
 }  // namespace
@@ -103,18 +103,19 @@ CLI::App* noun_of(CLI::App& app) {
 void add_process_commands(CLI::App& app, int& exit_code) {
   CLI::App* noun = noun_of(app);
   const auto options = std::make_shared<LobesOptions>();
-  CLI::App* command =
-      noun->add_subcommand("lobes", "depths of cut up to which a cut does not chatter, by speed");
-  command->add_option("FILE", options->input, "cut and vibrations (TOML)")
+  CLI::App* command = noun->add_subcommand(
+      "lobes", "calculate the depths up to which a cut does not chatter, by speed");
+  command->add_option("FILE", options->input, "file with cut and vibrations (TOML)")
       ->required()
       ->type_name("FILE");
   command->add_option("--speeds", options->speeds, "range of speeds, rev/min")
       ->type_name("FROM:TO");
-  command->add_option("--count", options->count, "speeds in the range")
+  command->add_option("--count", options->count, "number of speeds in the range")
       ->check(CLI::Range(2, 100000));
   command
-      ->add_option("--cut", options->cuts,
-                   "a planned cut, rev/min and mm: judged and marked; exit code 1 when it chatters")
+      ->add_option(
+          "--cut", options->cuts,
+          "planned cut in rev/min and mm, to be checked and marked; exit code 1 if it chatters")
       ->type_name("SPEED:DEPTH")
       ->delimiter(',');
   CLI::Option* const depth =
@@ -125,21 +126,21 @@ void add_process_commands(CLI::App& app, int& exit_code) {
           ->type_name("FILE");
   command
       ->add_option("--program", options->program,
-                   "part program: the speeds of its moves at feed are planned cuts")
+                   "part program; the speeds of its feed moves are planned cuts")
       ->type_name("FILE")
       ->needs(depth)
       ->needs(machine);
-  command->add_option("--channel", options->job.channel, "its channel")->check(CLI::PositiveNumber);
+  command->add_option("--channel", options->job.channel, "channel of the program")
+      ->check(CLI::PositiveNumber);
   command
-      ->add_option(
-          "--method", options->method,
-          "zeroth-order: the mean over a tooth; semi-discretisation: each tooth, for small "
-          "widths of cut")
+      ->add_option("--method", options->method,
+                   "zeroth-order: uses the mean over a tooth; semi-discretisation: follows each "
+                   "tooth, for small widths of cut")
       ->check(CLI::IsMember({"zeroth-order", "semi-discretisation"}));
   command->add_option("--picture", options->picture, "picture of the lobes, .svg or .png")
       ->type_name("FILE")
       ->check(picture_name_fault);
-  command->add_option("--csv", options->csv, "the limits as CSV")->type_name("FILE");
+  command->add_option("--csv", options->csv, "write the limits as CSV")->type_name("FILE");
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &exit_code] { exit_code = run_lobes(*options); });
   add_identify_command(*noun, exit_code);

@@ -406,19 +406,23 @@ int run(const SimulateOptions& given, const CLI::App& command) {
 
 void add_simulate_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = app.add_subcommand("simulate", "run programs on the virtual clock");
+  CLI::App* command = app.add_subcommand("simulate", "run programs on a virtual clock");
   command
       ->add_option("PROGRAM", options->programs,
-                   "part program; several, or folders of them, are run one by one")
+                   "part program; several programs, or folders of programs, are run one by one")
       ->type_name("FILE");
   add_job_options(*command, options->job);
   command->add_option("--run", options->runs, "CH=FILE: run FILE on channel CH; may be repeated")
       ->type_name("CH=FILE");
-  command->add_option("--tip-trace", options->tip_traces, "CH=FILE.csv: programmed point per cycle")
+  command
+      ->add_option("--tip-trace", options->tip_traces,
+                   "CH=FILE.csv: write the programmed point of every cycle")
       ->type_name("CH=FILE");
-  command->add_option("--axis-trace", options->axis_traces, "CH=FILE.csv: machine axes per cycle")
+  command
+      ->add_option("--axis-trace", options->axis_traces,
+                   "CH=FILE.csv: write the machine axes in every cycle")
       ->type_name("CH=FILE");
-  command->add_option("--log", options->log, "LCM log of all setpoints, states and inputs")
+  command->add_option("--log", options->log, "write an LCM log of all setpoints, states and inputs")
       ->type_name("FILE");
   command
       ->add_option("--measurements", options->measurements,
@@ -427,17 +431,18 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->type_name("FOLDER");
   command->add_option("--until", options->until_s, "stop after this machine time, s");
   command->add_flag("--drives", options->drives,
-                    "run the simulated drives; without it they are ideal");
-  command->add_option("--events", options->events, "operator events, one JSON object a line")
+                    "run the simulated drives; without this option, drives are ideal");
+  command
+      ->add_option("--events", options->events, "file of operator events, one JSON object per line")
       ->type_name("FILE");
   command
       ->add_option("--sensors", options->sensors,
-                   "CSV of sensor values over machine time: t,power_w,vibration_um")
+                   "CSV file of sensor values over machine time: t,power_w,vibration_um")
       ->type_name("FILE");
   command
       ->add_option("--why", options->why,
-                   "what held the speed in these lines (12,15; sub.nc:7 in a file that is called), "
-                   "and what would make them faster; all: in those that took longest")
+                   "show what limited the speed in these lines (12,15; sub.nc:7 in a called file), "
+                   "and what would make them faster; all: in the lines that took longest")
       ->type_name("LINE|FILE:LINE|all")
       ->delimiter(',');
   add_workpiece_options(*command, options->workpiece);
@@ -447,9 +452,9 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber)
       ->type_name("SECONDS");
   command
-      ->add_option("--pictures", options->several.pictures,
-                   "folder for a picture of what each of several programs leaves of its blank: "
-                   "NAME.nc.png")
+      ->add_option(
+          "--pictures", options->several.pictures,
+          "folder for pictures of what each of several programs leaves of its blank: NAME.nc.png")
       ->type_name("FOLDER");
   add_library_options(*command, options->several.library);
   command->callback([options, command, &exit_code] { exit_code = run(*options, *command); });

@@ -49,16 +49,18 @@ std::vector<NamedWorkpiece> workpieces_so_far(const runtime::SimulatedWorkpieces
 void add_workpiece_options(CLI::App& command, WorkpieceOptions& options) {
   command
       .add_option("--workpiece-out", options.files.stl,
-                  "STL of what is left of the blank of #workpiece")
+                  "write what is left of the blank of #workpiece as STL")
       ->type_name("FILE");
   command
-      .add_option("--picture", options.files.picture, "PNG of the workpiece, seen from four sides")
+      .add_option("--picture", options.files.picture,
+                  "write a PNG of the workpiece, seen from four sides")
       ->type_name("FILE");
   command
       .add_option("--workpiece-report", options.files.report,
-                  "JSON: findings, and volume and removal rate of every block")
+                  "write a JSON report: findings, and volume and removal rate of every block")
       ->type_name("FILE");
-  command.add_option("--workpiece-memory", options.memory_mib, "MiB that a workpiece may take")
+  command
+      .add_option("--workpiece-memory", options.memory_mib, "maximum memory of a workpiece, MiB")
       ->capture_default_str()
       ->check(CLI::Range(1, 1 << 20));
 }

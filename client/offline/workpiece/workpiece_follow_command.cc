@@ -166,13 +166,13 @@ void add_workpiece_follow_command(CLI::App& app, int& exit_code) {
   CLI::App& noun = noun_command(app, "workpiece", "virtual workpiece");
   CLI::App* command = noun.add_subcommand(
       "follow",
-      "cut a virtual workpiece along with a machine: pictures while it runs, STL at the end");
+      "cut a virtual workpiece along with a machine: pictures during the run, STL at the end");
   command->add_option("SOURCE", options->source, "log file, or URL of the LCM bus")
       ->type_name("FILE|URL")
       ->required();
   command
       ->add_option("--machine", options->machine_file,
-                   "machine file; needed for the bus, a log has its own")
+                   "machine file; required for the bus, a log contains its own")
       ->type_name("FILE");
   command
       ->add_option("--out", options->folder,
@@ -183,7 +183,8 @@ void add_workpiece_follow_command(CLI::App& app, int& exit_code) {
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   command->add_option("--until", options->until_s, "stop at this machine time, s");
-  command->add_option("--workpiece-memory", options->memory_mib, "MiB that a workpiece may take")
+  command
+      ->add_option("--workpiece-memory", options->memory_mib, "maximum memory of a workpiece, MiB")
       ->capture_default_str()
       ->check(CLI::Range(1, 1 << 20));
   command->add_flag("--json", options->json, "print JSON");

@@ -92,10 +92,10 @@ TEST(ChannelText, ShowsWhereAWordComesFrom) {
                                  {"value", 100.0},
                                  {"fixed", false}}};
   EXPECT_EQ(result_text("channel.position", answer, into_a_pipe),
-            "X Ø                       adds     makes\n"
+            "X Ø                       adds     result\n"
             "machine position of X1    20.0000   20.0000\n"
             "zero of scheme 1 (lathe)  30.0000   50.0000\n"
-            "diameter (G7)             50.0000  100.0000  as the axes stand\n");
+            "diameter (G7)             50.0000  100.0000  at the present axis positions\n");
 }
 
 TEST(ChannelText, TellsWhyAChannelIsHeldAndWhatIsForeseen) {
@@ -105,7 +105,7 @@ TEST(ChannelText, TellsWhyAChannelIsHeldAndWhatIsForeseen) {
   status["foreseen"] = {{"code", "E5101"}, {"text", "too far"}, {"file", "a.nc"}, {"line", 3}};
   const std::string text = channel_text(status, into_a_pipe);
   EXPECT_THAT(text, HasSubstr("held by     feed hold by an operator\n"));
-  EXPECT_THAT(text, HasSubstr("foreseen    a.nc:3: E5101 too far\n"));
+  EXPECT_THAT(text, HasSubstr("expected    a.nc:3: E5101 too far\n"));
   EXPECT_THAT(text, HasSubstr("alarm       A2001 drive fault\n"));
 }
 

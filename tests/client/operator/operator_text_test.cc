@@ -213,11 +213,11 @@ TEST(ResultText, ShowsQueuesAsTheyWillRun) {
                    {"stopped_by", "reset"}, {"under_way", nullptr}, {"programs", json::array()}};
   EXPECT_EQ(result_text("queue.start", {{"queues", {queue, empty}}}, pipe_end),
             "channel 1: started by uid 1000\n"
-            "place  id  program\n"
-            "    1   7  a.nc     under way\n"
-            "    2  12  b.nc\n"
+            "position  id  program\n"
+            "       1   7  a.nc     in progress\n"
+            "       2  12  b.nc\n"
             "channel 2: stopped: reset\n"
-            "no program waits\n");
+            "no program waiting\n");
 }
 
 }  // namespace
