@@ -21,12 +21,14 @@ const std::filesystem::path document =
 constexpr std::string_view introduction =
     R"(# Codes of errors, warnings and alarms
 
-Made from [base/catalogue.cc](../../base/catalogue.cc) and [base/catalogue_language.h](../../base/catalogue_language.h);
-`stanok explain CODE` prints one row. E: error of a program or command, W: warning, A: alarm of the machine, U1000 to U9999: `terminate` in a program, with its own
-text. A code never changes its meaning.
+Made from [base/catalogue.cc](../../base/catalogue.cc) and
+[base/catalogue_language.h](../../base/catalogue_language.h). `stanok explain CODE` prints one row.
+E: error of a program or command. W: warning. A: alarm of the machine. U1000 to U9999: `terminate`
+in a program, with its own text. A code never changes its meaning.
 
-Reactions: **1** nothing stops · **2** the program ends after the prepared blocks · **3** the program ends at
-once · **4** feed hold of the channel · **5** the faulty axis stops, the others hold · **6** all axes off.
+Reactions: **1** nothing stops · **2** the program ends after the prepared blocks · **3** the
+program ends immediately · **4** feed hold of the channel · **5** the faulty axis stops, the others
+hold · **6** all axes off.
 
 | code | what | reaction | remedy | how to go on |
 |---|---|---|---|---|
