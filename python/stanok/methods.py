@@ -31,12 +31,13 @@ class MachineMethods:
         self._call = call
 
     def on(self, *, seen_cycle: int | None = None) -> dict[str, Any]:
-        """Switch on the drives of the axes that take part.
+        """Switch on the drives of all axes that are not parked.
 
         ``machine.on``, for the role operator.
 
         Args:
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("machine.on", _given(seen_cycle=seen_cycle))
 
@@ -48,21 +49,22 @@ class MachineMethods:
         return self._call("machine.off", _given())
 
     def estop(self) -> dict[str, Any]:
-        """STOP ALL (not the E-stop): along the path to rest at once, then drives off; always accepted.
+        """STOP ALL (not the E-stop): stop immediately along the path, then switch the drives off; always accepted.
 
         ``machine.estop``, for the role operator.
         """
         return self._call("machine.estop", _given())
 
     def journal(self) -> dict[str, Any]:
-        """What operators did, starts and ends of the daemon, the newest 2000, also of before.
+        """List what operators did, and starts and ends of the daemon: the newest 2000 entries, including those
+        from before the last start.
 
         ``machine.journal``, for the role observer.
         """
         return self._call("machine.journal", _given())
 
     def status(self) -> dict[str, Any]:
-        """Cycle, drives, real-time figures, state of every channel.
+        """Show cycle, drives, real-time figures, and the state of every channel.
 
         ``machine.status``, for the role observer.
         """
@@ -76,14 +78,14 @@ class ChannelMethods:
         self._call = call
 
     def list(self) -> dict[str, Any]:
-        """Channels with kind, axes, scheme and state.
+        """List the channels with kind, axes, scheme and state.
 
         ``channel.list``, for the role observer.
         """
         return self._call("channel.list", _given())
 
     def status(self, *, channel: int | None = None) -> dict[str, Any]:
-        """State, program, block, position, feed and overrides of a channel.
+        """Show state, program, block, position, feed and overrides of a channel.
 
         ``channel.status``, for the role observer.
 
@@ -93,36 +95,36 @@ class ChannelMethods:
         return self._call("channel.status", _given(channel=channel))
 
     def position(self, *, why: int | None = None, channel: int | None = None) -> dict[str, Any]:
-        """Words that lead to where the channel stands, and where they come from.
+        """Show the words that lead to the present position of a channel, and how they are derived.
 
         ``channel.position``, for the role observer.
 
         Args:
-            why: 1: with all that lies between the machine position and each word: zero of the scheme,
-                offsets, lengths, turns; 0 to 1.
+            why: 1: also show everything between the machine position and each word: zero of the scheme,
+                offsets, lengths, rotations; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("channel.position", _given(why=why, channel=channel))
 
     def control(self, *, on: int | None = None, channel: int | None = None) -> dict[str, Any]:
-        """Control a channel alone until the connection ends; others can still stop it.
+        """Take sole control of a channel until the connection ends; others can still stop it.
 
         ``channel.control``, for the role operator.
 
         Args:
-            on: 1 (default): take control; 0: give it back; 0 to 1.
+            on: 1 (default): take control; 0: release it; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("channel.control", _given(on=on, channel=channel))
 
     def watch(self, *, channel: int | None = None, rate_hz: float | None = None) -> dict[str, Any]:
-        """Status of a channel as it changes.
+        """Show the status of a channel as it changes.
 
         ``channel.watch``, for the role observer.
 
         Args:
             channel: channel; default: the first one; 1 to 999.
-            rate_hz: most status messages per second; default 10; 0.1 to 50 Hz.
+            rate_hz: maximum number of status messages per second; default 10; 0.1 to 50 Hz.
         """
         return self._call("channel.watch", _given(channel=channel, rate_hz=rate_hz))
 
@@ -134,13 +136,13 @@ class ProgramMethods:
         self._call = call
 
     def read(self, program: str, *, offset: int | None = None) -> dict[str, Any]:
-        """Text of a program and its version, at most 512 KiB at a time.
+        """Read the text of a program and its version, at most 512 KiB at a time.
 
         ``program.read``, for the role observer.
 
         Args:
-            program: program file beneath the program root.
-            offset: byte where the answer begins; default 0; 0 to 1000000000.
+            program: program file under the program root.
+            offset: byte at which the answer begins; default 0; 0 to 1000000000.
         """
         return self._call("program.read", _given(program=program, offset=offset))
 
@@ -153,29 +155,29 @@ class ProgramMethods:
         more: int | None = None,
         file: str | None = None,
     ) -> dict[str, Any]:
-        """Write a program, whole or not at all, if nobody has changed it meanwhile.
+        """Write a program, completely or not at all, if nobody has changed it in the meantime.
 
         ``program.write``, for the role programmer.
 
         Args:
-            program: program file beneath the program root.
-            text: text of the program; of a longer one a part, with `more`.
-            version: of the text that is to be replaced, as program.read gave it; default: there is none
-                yet; any: whatever there is.
-            more: 1: the text goes on in the next request; default 0; 0 to 1.
-            file: where the text came from; for people only.
+            program: program file under the program root.
+            text: text of the program; send a longer text in parts, with `more`.
+            version: version of the existing text, as program.read returned it; default: no text exists yet;
+                any: whatever exists.
+            more: 1: the text continues in the next request; default 0; 0 to 1.
+            file: where the text comes from; information for people only.
         """
         return self._call("program.write", _given(program=program, text=text, version=version, more=more, file=file))
 
     def remove(self, program: str, *, version: str | None = None) -> dict[str, Any]:
-        """Remove a program, if nobody has changed it meanwhile.
+        """Remove a program, if nobody has changed it in the meantime.
 
         ``program.remove``, for the role programmer.
 
         Args:
-            program: program file beneath the program root.
-            version: of the text that is to be replaced, as program.read gave it; default: there is none
-                yet; any: whatever there is.
+            program: program file under the program root.
+            version: version of the existing text, as program.read returned it; default: no text exists yet;
+                any: whatever exists.
         """
         return self._call("program.remove", _given(program=program, version=version))
 
@@ -187,46 +189,46 @@ class ProgramMethods:
         channel: int | None = None,
         file: str | None = None,
     ) -> dict[str, Any]:
-        """Errors and warnings of a program, without running it, and where the rotary axes will stand in its tilted
-        planes; another check of this connection ends this one.
+        """Find errors and warnings of a program without running it, and the positions of the rotary axes in its
+        tilted planes; another check on this connection ends this one.
 
         ``program.check``, for the role observer.
 
         Args:
-            program: program file beneath the program root.
-            text: text to check in the place of the file's.
+            program: program file under the program root.
+            text: text to check instead of the file.
             channel: channel; default: the first one; 1 to 999.
-            file: where the text came from; for people only.
+            file: where the text comes from; information for people only.
         """
         return self._call("program.check", _given(program=program, text=text, channel=channel, file=file))
 
     def picture(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
-        """The virtual workpiece as the program leaves it, run on a virtual clock: `picture` is a PNG in base64,
-        seen from the front, right and above; null: the program announces no blank. A check of this connection
-        ends it.
+        """Draw the virtual workpiece as the program leaves it after a run on a virtual clock: `picture` is a PNG
+        in base64, seen from the front, right and above, or null if the program announces no blank; a check on
+        this connection ends it.
 
         ``program.picture``, for the role observer.
 
         Args:
-            program: program file beneath the program root.
+            program: program file under the program root.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("program.picture", _given(program=program, channel=channel))
 
     def estimate(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
-        """Time and way of a program, from running it on a virtual clock with the tables, schemes and places of
-        now, overrides at 100 %; a check of this connection ends it.
+        """Find the time and path length of a program from a run on a virtual clock with the present tables,
+        schemes and positions, overrides at 100 %; a check on this connection ends it.
 
         ``program.estimate``, for the role observer.
 
         Args:
-            program: program file beneath the program root.
+            program: program file under the program root.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("program.estimate", _given(program=program, channel=channel))
 
     def check_cancel(self) -> dict[str, Any]:
-        """End the check or estimate of this connection, which answers E9017.
+        """Cancel the check or estimate of this connection, which then answers E9017.
 
         ``program.check_cancel``, for the role observer.
         """
@@ -241,19 +243,19 @@ class ProgramMethods:
         follow: int | None = None,
         system: Literal["work", "part"] | None = None,
     ) -> dict[str, Any]:
-        """Planned path of the tip, from the simulation of the loaded program; pages of points with the lines that
-        lead to them.
+        """Read the planned path of the tool tip from the simulation of the loaded program: pages of points with
+        the program lines that lead to them.
 
         ``program.path``, for the role observer.
 
         Args:
             channel: channel; default: the first one; 1 to 999.
-            path: id of a path that was asked for before; default: the newest one; 1 to 4000000000.
-            page: page of the path, from 0; default: all of them, one by one; 0 to 1000000.
-            follow: 1: the answer names the request for the page behind it, as it does without `page`;
-                default 0; 0 to 1.
-            system: of the points: work, the workpiece system that is active there, or part, one that stays
-                on the part; default: work.
+            path: id of a path that was requested before; default: the newest path; 1 to 4000000000.
+            page: page of the path, from 0; default: all pages, one by one; 0 to 1000000.
+            follow: 1: the answer names the request for the next page, as it does without `page`; default 0;
+                0 to 1.
+            system: coordinate system of the points: work, the workpiece system that is active at each
+                point, or part, a system that is fixed to the part; default: work.
         """
         return self._call("program.path", _given(channel=channel, path=path, page=page, follow=follow, system=system))
 
@@ -264,14 +266,14 @@ class ProgramMethods:
         channel: int | None = None,
         wait: Literal["accepted", "done"] | None = None,
     ) -> dict[str, Any]:
-        """Compile a program; errors come with file, line and column.
+        """Load and compile a program; errors are reported with file, line and column.
 
         ``program.load``, for the role operator.
 
         Args:
-            program: program file beneath the program root.
+            program: program file under the program root.
             channel: channel; default: the first one; 1 to 999.
-            wait: when the answer comes: request accepted, or work done.
+            wait: whether to answer when the request is accepted, or when the work is done.
         """
         return self._call("program.load", _given(program=program, channel=channel, wait=wait))
 
@@ -288,10 +290,11 @@ class ProgramMethods:
         ``program.run``, for the role operator.
 
         Args:
-            program: program file beneath the program root.
+            program: program file under the program root.
             channel: channel; default: the first one; 1 to 999.
-            wait: when the answer comes: request accepted, or work done.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            wait: whether to answer when the request is accepted, or when the work is done.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("program.run", _given(program=program, channel=channel, wait=wait, seen_cycle=seen_cycle))
 
@@ -305,26 +308,27 @@ class ProgramMethods:
         situation: int | None = None,
         seen_cycle: int | None = None,
     ) -> dict[str, Any]:
-        """Start the loaded program; continue it when held.
+        """Start the loaded program, or continue it if it is held.
 
         ``program.start``, for the role operator.
 
         Args:
             channel: channel; default: the first one; 1 to 999.
-            wait: when the answer comes: request accepted, or work done.
-            approach: number of the approach that the block search told; 1 to 4294967295.
-            restore: 1: change tool, spindle and coolant at the height of the approach to what the block
+            wait: whether to answer when the request is accepted, or when the work is done.
+            approach: number of the approach from the answer to the block search; 1 to 4294967295.
+            restore: 1: at the height of the approach, change tool, spindle and coolant to what the block
                 needs; 0 to 1.
-            situation: situation of the channel in the status that was looked at; refused where it has
-                changed since; 1 to 2147483647.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            situation: situation of the channel in the status that the request is based on; the request is
+                refused if the situation has changed since; 1 to 2147483647.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("program.start", _given(
             channel=channel, wait=wait, approach=approach, restore=restore, situation=situation,
             seen_cycle=seen_cycle))
 
     def hold(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Feed hold: come to rest along the path.
+        """Feed hold: stop along the path.
 
         ``program.hold``, for the role operator.
 
@@ -340,12 +344,13 @@ class ProgramMethods:
 
         Args:
             channel: channel; default: the first one; 1 to 999.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("program.resume", _given(channel=channel, seen_cycle=seen_cycle))
 
     def stop(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Hold, then end the program without an alarm.
+        """Hold the feed, then end the program without an alarm.
 
         ``program.stop``, for the role operator.
 
@@ -365,23 +370,23 @@ class ProgramMethods:
         return self._call("program.reset", _given(channel=channel))
 
     def optional_stop(self, on: int, *, channel: int | None = None) -> dict[str, Any]:
-        """Optional stop: whether M1 stops the program.
+        """Optional stop: set whether M1 stops the program.
 
         ``program.optional_stop``, for the role operator.
 
         Args:
-            on: 1 on, 0 off; 0 to 1.
+            on: 1: on; 0: off; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("program.optional_stop", _given(on=on, channel=channel))
 
     def step(self, on: int, *, channel: int | None = None) -> dict[str, Any]:
-        """Single block: stop after each block; program start lets the next one begin.
+        """Single block: stop after each block; `program start` begins the next one.
 
         ``program.step``, for the role operator.
 
         Args:
-            on: 1 on, 0 off; 0 to 1.
+            on: 1: on; 0: off; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("program.step", _given(on=on, channel=channel))
@@ -409,16 +414,16 @@ class ProgramMethods:
         return self._call("program.unskip", _given(level=level, channel=channel))
 
     def list(self) -> dict[str, Any]:
-        """Program files beneath the program root, with the times (Unix) of their last change, and of the last
-        check and run since the daemon started.
+        """List the program files under the program root, with the times (Unix) of their last change, and of the
+        last check and run since the daemon started.
 
         ``program.list``, for the role observer.
         """
         return self._call("program.list", _given())
 
     def history(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Program runs, with times and how they ended, the newest 500 of each channel; cycles are those of this
-        start of the daemon.
+        """List the newest 500 program runs of each channel, with their times and how they ended; cycles are those
+        of this start of the daemon.
 
         ``program.history``, for the role observer.
 
@@ -435,15 +440,16 @@ class ProgramMethods:
         calculation: Literal["with", "without"] | None = None,
         channel: int | None = None,
     ) -> dict[str, Any]:
-        """Block search: the loaded program begins at this block when it is started; answers what lies before it.
+        """Block search: make the loaded program begin at this block when it is started; the answer shows what
+        precedes the block.
 
         ``program.search``, for the role operator.
 
         Args:
-            target: line, 120, or block number, N40; of another file: sub.nc:120.
-            pass_: which pass of a loop; default 1; 1 to 1000000.
-            calculation: with (default): in the state that the blocks before it would leave; without: in the
-                default state.
+            target: line (120) or block number (N40); in another file: sub.nc:120.
+            pass_: which pass through a loop; default 1; 1 to 1000000.
+            calculation: with (default): begin in the state that the preceding blocks would leave; without:
+                begin in the default state.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("program.search", _given(
@@ -463,14 +469,15 @@ class OverrideMethods:
         channel: int | None = None,
         seen_cycle: int | None = None,
     ) -> dict[str, Any]:
-        """Feed override of a channel.
+        """Set the feed override of a channel.
 
         ``override.feed``, for the role operator.
 
         Args:
             percent: percent of the programmed value; 0 to 200 %.
             channel: channel; default: the first one; 1 to 999.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("override.feed", _given(percent=percent, channel=channel, seen_cycle=seen_cycle))
 
@@ -481,19 +488,20 @@ class OverrideMethods:
         channel: int | None = None,
         seen_cycle: int | None = None,
     ) -> dict[str, Any]:
-        """Rapid override of a channel.
+        """Set the rapid override of a channel.
 
         ``override.rapid``, for the role operator.
 
         Args:
             percent: percent of the programmed value; 0 to 100 %.
             channel: channel; default: the first one; 1 to 999.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("override.rapid", _given(percent=percent, channel=channel, seen_cycle=seen_cycle))
 
     def spindle(self, percent: float, *, channel: int | None = None) -> dict[str, Any]:
-        """Spindle override of a channel.
+        """Set the spindle override of a channel.
 
         ``override.spindle``, for the role operator.
 
@@ -511,7 +519,7 @@ class QueueMethods:
         self._call = call
 
     def list(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Programs that wait, of one channel or all; what stopped a queue.
+        """List the waiting programs of one channel or of all, and what stopped a queue.
 
         ``queue.list``, for the role observer.
 
@@ -521,53 +529,54 @@ class QueueMethods:
         return self._call("queue.list", _given(channel=channel))
 
     def add(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
-        """Put a program at the end of the queue of a channel.
+        """Add a program to the end of the queue of a channel.
 
         ``queue.add``, for the role operator.
 
         Args:
-            program: program file beneath the program root.
+            program: program file under the program root.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("queue.add", _given(program=program, channel=channel))
 
     def remove(self, id: int, *, channel: int | None = None) -> dict[str, Any]:
-        """Take a program out of the queue, unless it is under way.
+        """Remove a program from the queue, unless it is in progress.
 
         ``queue.remove``, for the role operator.
 
         Args:
-            id: which entry, as queue.list tells it; 1 to 1000000000.
+            id: number of the entry, as queue.list shows it; 1 to 1000000000.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("queue.remove", _given(id=id, channel=channel))
 
     def move(self, id: int, place: int, *, channel: int | None = None) -> dict[str, Any]:
-        """Give a program another place in the queue.
+        """Move a program to another position in the queue.
 
         ``queue.move``, for the role operator.
 
         Args:
-            id: which entry, as queue.list tells it; 1 to 1000000000.
-            place: its new place, from 1; 1 to 500.
+            id: number of the entry, as queue.list shows it; 1 to 1000000000.
+            place: new position in the queue, from 1; 1 to 500.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("queue.move", _given(id=id, place=place, channel=channel))
 
     def start(self, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
-        """Run the programs of the queue one after the other, until one fails, somebody stops or resets something,
-        takes the channel, or an alarm comes.
+        """Run the programs of the queue one after the other, until one fails, an alarm occurs, or somebody stops
+        or resets something or takes the channel.
 
         ``queue.start``, for the role operator.
 
         Args:
             channel: channel; default: the first one; 1 to 999.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("queue.start", _given(channel=channel, seen_cycle=seen_cycle))
 
     def stop(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Begin no further program; the one under way goes on.
+        """Start no further program; the one in progress continues.
 
         ``queue.stop``, for the role operator.
 
@@ -584,7 +593,7 @@ class KinematicsMethods:
         self._call = call
 
     def list(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Kinematic schemes of a channel.
+        """List the kinematic schemes of a channel.
 
         ``kinematics.list``, for the role observer.
 
@@ -594,19 +603,20 @@ class KinematicsMethods:
         return self._call("kinematics.list", _given(channel=channel))
 
     def select(self, scheme: int, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
-        """Switch the channel to another scheme; the channel must be idle.
+        """Switch a channel to another kinematic scheme; the channel must be idle.
 
         ``kinematics.select``, for the role operator.
 
         Args:
-            scheme: kinematic scheme of the channel; 0 to 9999.
+            scheme: number of the kinematic scheme; 0 to 9999.
             channel: channel; default: the first one; 1 to 999.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("kinematics.select", _given(scheme=scheme, channel=channel, seen_cycle=seen_cycle))
 
     def status(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Active scheme, its axes, their drives and brakes.
+        """Show the active scheme, its axes, and their drives and brakes.
 
         ``kinematics.status``, for the role observer.
 
@@ -623,14 +633,14 @@ class DriveMethods:
         self._call = call
 
     def list(self) -> dict[str, Any]:
-        """Drives of the machine file with bus address, kind and requests.
+        """List the drives of the machine file with bus address, kind and requests.
 
         ``drive.list``, for the role observer.
         """
         return self._call("drive.list", _given())
 
     def status(self) -> dict[str, Any]:
-        """Every drive: state, fault, position, switches, errors; the bus: exchanges, latency.
+        """Show state, fault, position, switches and errors of every drive, and exchanges and latency of the bus.
 
         ``drive.status``, for the role observer.
         """
@@ -642,7 +652,7 @@ class DriveMethods:
         ``drive.reset``, for the role operator.
 
         Args:
-            drive: name of the axis; S and its number for a spindle.
+            drive: name of the axis; for a spindle, S and its number.
         """
         return self._call("drive.reset", _given(drive=drive))
 
@@ -657,8 +667,8 @@ class DriveMethods:
         ``drive.fault``, for the role integrator.
 
         Args:
-            drive: name of the axis; S and its number for a spindle.
-            fault: fault that the drive has from now on; none: it works.
+            drive: name of the axis; for a spindle, S and its number.
+            fault: fault that the drive has from now on, or none: the drive works again.
         """
         return self._call("drive.fault", _given(drive=drive, fault=fault))
 
@@ -670,7 +680,7 @@ class AlarmMethods:
         self._call = call
 
     def list(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Active alarms.
+        """List the active alarms.
 
         ``alarm.list``, for the role observer.
 
@@ -690,7 +700,7 @@ class AlarmMethods:
         return self._call("alarm.ack", _given(channel=channel))
 
     def history(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Alarms, the newest 500 of each channel.
+        """List the newest 500 alarms of each channel.
 
         ``alarm.history``, for the role observer.
 
@@ -707,7 +717,7 @@ class MeasurementMethods:
         self._call = call
 
     def history(self, *, channel: int | None = None) -> dict[str, Any]:
-        """What programs measured since the daemon started, the newest 500 of each channel.
+        """List what programs have measured since the daemon started: the newest 500 results of each channel.
 
         ``measurement.history``, for the role observer.
 
@@ -724,14 +734,14 @@ class ToolMethods:
         self._call = call
 
     def list(self) -> dict[str, Any]:
-        """Tool table.
+        """List the tool table.
 
         ``tool.list``, for the role observer.
         """
         return self._call("tool.list", _given())
 
     def get(self, number: int, *, edge: int | None = None) -> dict[str, Any]:
-        """Values of one edge of a tool.
+        """Show the values of one edge of a tool.
 
         ``tool.get``, for the role observer.
 
@@ -757,10 +767,10 @@ class ToolMethods:
 
         Args:
             number: number of the tool; 0 to 32000.
-            key: which value of the tool.
+            key: name of the value.
             value: new value; -100000 to 100000 mm, deg.
             edge: edge of the tool; default 1; 1 to 99.
-            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
+            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
         """
         return self._call("tool.set", _given(number=number, key=key, value=value, edge=edge, confirmed=confirmed))
 
@@ -776,19 +786,19 @@ class ToolMethods:
         confirmed: int | None = None,
         channel: int | None = None,
     ) -> dict[str, Any]:
-        """Set the length of a tool so that an axis stands at a value (touch off); at rest.
+        """Touch off: set the length of a tool so that an axis is at a given value; only at rest.
 
         ``tool.touch``, for the role operator.
 
         Args:
             number: number of the tool; 1 to 32000.
             axis: axis, by its word or its name.
-            value: where the axis is to stand, in the work system; -100000 to 100000 mm, deg.
-            as_: what the value is; required where X is shown as a diameter.
-            situation: situation of the channel in the status that was looked at; refused where it has
-                changed since; 1 to 2147483647.
+            value: position that the axis is to have in the work system; -100000 to 100000 mm, deg.
+            as_: whether the value is a radius or a diameter; required if X is shown as a diameter.
+            situation: situation of the channel in the status that the request is based on; the request is
+                refused if the situation has changed since; 1 to 2147483647.
             edge: edge of the tool; default 1; 1 to 99.
-            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
+            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("tool.touch", _given(
@@ -796,26 +806,26 @@ class ToolMethods:
             confirmed=confirmed, channel=channel))
 
     def load(self, tables: str, *, file: str | None = None, confirmed: int | None = None) -> dict[str, Any]:
-        """Set the tools and work offsets that a text names; not while a program runs.
+        """Set the tools and work offsets that a text lists; not while a program runs.
 
         ``tool.load``, for the role operator.
 
         Args:
             tables: tools and work offsets, as in a tables file.
-            file: name of the text in messages; default: that of the file.
-            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
+            file: name of the text in messages; default: the name of the file.
+            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
         """
         return self._call("tool.load", _given(tables=tables, file=file, confirmed=confirmed))
 
     def save(self) -> dict[str, Any]:
-        """Print tools and work offsets as a text that tool load takes.
+        """Print tools and work offsets as a text for `tool load`.
 
         ``tool.save``, for the role observer.
         """
         return self._call("tool.save", _given())
 
     def history(self) -> dict[str, Any]:
-        """Changes of tools and work offsets since the daemon started, the newest 500, the newest first: by an
+        """List the newest 500 changes of tools and work offsets since the daemon started, newest first: by an
         operator, or by the program that ran last.
 
         ``tool.history``, for the role observer.
@@ -830,7 +840,7 @@ class OffsetMethods:
         self._call = call
 
     def list(self) -> dict[str, Any]:
-        """Work offsets.
+        """List the work offsets.
 
         ``offset.list``, for the role observer.
         """
@@ -843,9 +853,9 @@ class OffsetMethods:
 
         Args:
             offset: work offset: G54 to G59, G59.1 to G59.3, "G54.1 P1".
-            axis: axis of the machine; R: rotation.
+            axis: axis of the machine, or R for the rotation.
             value: new value; -100000 to 100000 mm, deg.
-            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
+            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
         """
         return self._call("offset.set", _given(offset=offset, axis=axis, value=value, confirmed=confirmed))
 
@@ -860,18 +870,18 @@ class OffsetMethods:
         confirmed: int | None = None,
         channel: int | None = None,
     ) -> dict[str, Any]:
-        """Set a work offset so that an axis stands at a value (touch off); at rest.
+        """Touch off: set a work offset so that an axis is at a given value; only at rest.
 
         ``offset.touch``, for the role operator.
 
         Args:
             offset: work offset: G54 to G59, G59.1 to G59.3, "G54.1 P1".
             axis: axis, by its word or its name.
-            value: where the axis is to stand, in the work system; -100000 to 100000 mm, deg.
-            as_: what the value is; required where X is shown as a diameter.
-            situation: situation of the channel in the status that was looked at; refused where it has
-                changed since; 1 to 2147483647.
-            confirmed: 1: set it even where entry_limits make value or change unlikely; 0 to 1.
+            value: position that the axis is to have in the work system; -100000 to 100000 mm, deg.
+            as_: whether the value is a radius or a diameter; required if X is shown as a diameter.
+            situation: situation of the channel in the status that the request is based on; the request is
+                refused if the situation has changed since; 1 to 2147483647.
+            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("offset.touch", _given(
@@ -879,12 +889,12 @@ class OffsetMethods:
             channel=channel))
 
     def undo(self, undo: int) -> dict[str, Any]:
-        """Take a touch-off back, of an offset or a tool, where nobody has changed the value since.
+        """Undo a touch-off of an offset or a tool, if nobody has changed the value since.
 
         ``offset.undo``, for the role operator.
 
         Args:
-            undo: number that the answer to the touch-off had; 1 to 1000000000.
+            undo: number from the answer to the touch-off; 1 to 1000000000.
         """
         return self._call("offset.undo", _given(undo=undo))
 
@@ -896,7 +906,7 @@ class ProcessMethods:
         self._call = call
 
     def status(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Feed law, feed, spindle, cutting speed and force control.
+        """Show feed law, feed, spindle, cutting speed and force control.
 
         ``process.status``, for the role observer.
 
@@ -906,14 +916,14 @@ class ProcessMethods:
         return self._call("process.status", _given(channel=channel))
 
     def interrupt(self, la: float, *, lb: float | None = None, channel: int | None = None) -> dict[str, Any]:
-        """Interrupt the feed: at once, then after each L_B of path, for the time of L_A.
+        """Interrupt the feed for the time of L_A, immediately and then after each L_B of path.
 
         ``process.interrupt``, for the role operator.
 
         Args:
-            la: equivalent dwell path L_A: the axes rest as long as it would take at the feed; 0 ends the
-                interruption; 0 to 10000 mm.
-            lb: path L_B at feed from one rest to the next; 0 to 10000 mm.
+            la: equivalent dwell path L_A: the axes dwell for the time that this path would take at the
+                feed; 0 ends the interruption; 0 to 10000 mm.
+            lb: path L_B at feed from one dwell to the next; 0 to 10000 mm.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("process.interrupt", _given(la=la, lb=lb, channel=channel))
@@ -925,13 +935,13 @@ class ProcessMethods:
         *,
         channel: int | None = None,
     ) -> dict[str, Any]:
-        """Automatic feed law: the channel forms the feed from a sensor.
+        """Switch an automatic feed law on or off: the channel derives the feed from a sensor.
 
         ``process.automatic``, for the role operator.
 
         Args:
-            law: modulated: acts on the vibration; linear: on the power of the spindle.
-            on: 1 on, 0 off; 0 to 1.
+            law: modulated: acts on the vibration; linear: acts on the spindle power.
+            on: 1: on; 0: off; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("process.automatic", _given(law=law, on=on, channel=channel))
@@ -944,28 +954,28 @@ class ProcessMethods:
         value: float | None = None,
         channel: int | None = None,
     ) -> dict[str, Any]:
-        """Adaptive control of the cutting force: switch it on or off, or change one of its values.
+        """Switch the adaptive control of the cutting force on or off, or change one of its values.
 
         ``process.adaptive``, for the role operator.
 
         Args:
-            action: on: control to the force given, or to the last one; set: change one value.
-            quantity: cutting force P_z; permissible vibration; reduced mass and frequency of the
-                oscillation that is formed from the vibration.
-            value: new value of the quantity; above 0; 0 to 1000000 N, um, kg, Hz.
+            action: on: control to the given force, or to the last one; set: change one value.
+            quantity: force: cutting force P_z; level: permissible vibration; mass, frequency: reduced mass
+                and frequency of the oscillation that is formed from the vibration.
+            value: new value of the quantity, greater than 0; 0 to 1000000 N, um, kg, Hz.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("process.adaptive", _given(action=action, quantity=quantity, value=value, channel=channel))
 
     def grinding(self, program: str) -> dict[str, Any]:
-        """Plunge grinding cycle: designed from a process file, or verified from a control file; samples are time
-        s, X mm, allowance left mm, infeed mm/s, removal mm2/rad, and the removal over its boundary; a check of
-        this connection ends it.
+        """Design a plunge grinding cycle from a process file, or verify one from a control file; samples are time
+        s, X mm, remaining allowance mm, infeed mm/s, removal mm2/rad, and the ratio of the removal to its
+        boundary; a check on this connection ends it.
 
         ``process.grinding``, for the role observer.
 
         Args:
-            program: process file (.toml) or control file beneath the program root.
+            program: process file (.toml) or control file under the program root.
         """
         return self._call("process.grinding", _given(program=program))
 
@@ -980,20 +990,20 @@ class ProcessMethods:
         speed: float | None = None,
         depth: float | None = None,
     ) -> dict[str, Any]:
-        """Stability lobes, as `stanok process lobes`: depths up to which a cut does not chatter; limits are speed
-        rev/min, depth mm (null: any), chatter Hz (0: not known).
+        """Calculate stability lobes like `stanok process lobes`: the depths up to which a cut does not chatter;
+        limits are speed rev/min, depth mm (null: any), chatter Hz (0: not known).
 
         ``process.stability``, for the role observer.
 
         Args:
-            program: file of cut, tool and vibrations (.toml) beneath the program root.
-            from_: least speed; default 1000; 1 to 1000000 rev/min.
-            to: greatest speed; default 20000; 1 to 1000000 rev/min.
-            count: speeds in the range; default 400; 2 to 1200.
-            method: zeroth-order (default): the mean over a tooth; semi-discretisation: each tooth, for
-                small widths of cut.
-            speed: of a planned cut, which is judged; 1 to 1000000 rev/min.
-            depth: of the planned cut; grinding: its width; 0.0001 to 10000 mm.
+            program: file with cut, tool and vibrations (.toml) under the program root.
+            from_: lowest speed; default 1000; 1 to 1000000 rev/min.
+            to: highest speed; default 20000; 1 to 1000000 rev/min.
+            count: number of speeds in the range; default 400; 2 to 1200.
+            method: zeroth-order (default): uses the mean over a tooth; semi-discretisation: follows each
+                tooth, for small widths of cut.
+            speed: speed of a planned cut to be checked; 1 to 1000000 rev/min.
+            depth: depth of the planned cut; grinding: its width; 0.0001 to 10000 mm.
         """
         return self._call("process.stability", _given(
             program=program, from_=from_, to=to, count=count, method=method, speed=speed, depth=depth))
@@ -1014,29 +1024,29 @@ class ProcessMethods:
         tool: int | None = None,
         efficiency: float | None = None,
     ) -> dict[str, Any]:
-        """Figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; power is time s, as
-        recorded W, as fitted W; text is what to write into a file.
+        """Figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; si is the same in
+        SI units; power is time s, as recorded W, as fitted W; text is what to write into a file.
 
         ``process.figures``, for the role observer.
 
         Args:
             file: log, as history.logs lists them.
-            kind: what the log is of; default turning.
-            stock: turning: the bar before the cut in the frame of the program, as 0:32,-20:33: from this Z
-                on this radius, mm.
-            program: beneath the program root; milling: tool and material (.toml); grinding: process file
+            kind: kind of cut in the log; default turning.
+            stock: turning: bar before the cut in program coordinates, as Z:RADIUS in mm, the radius from
+                each Z on: 0:32,-20:33.
+            program: file under the program root; milling: tool and material (.toml); grinding: process file
                 (.toml).
             channel: channel; default: the first one; 1 to 999.
-            spindle: spindle of the machine, from 1 on; grinding: that of the wheel; default 1; 1 to 16.
-            coefficient: turning: C of the material, where it is known: tells the efficiency; 1 to 1000000
-                N.
-            touch: grinding: X of the program at which the wheel touches; default: the allowance; -10000 to
-                10000 mm.
-            force_ratio: grinding: tangential over normal force of the wheel; default 0.4; 0.05 to 2.
+            spindle: number of the machine spindle, from 1; grinding: the wheel spindle; default 1; 1 to 16.
+            coefficient: turning: C of the material; set it if you know it to get the efficiency; 1 to
+                1000000 N.
+            touch: grinding: program X at which the wheel touches the part; default: the allowance; -10000
+                to 10000 mm.
+            force_ratio: grinding: ratio of tangential to normal force of the wheel; default 0.4; 0.05 to 2.
             wheel_speed: grinding: surface speed of the wheel; default 35; 1 to 200 m/s.
-            tool: milling: whose cuts are looked at; default: all; 1 to 1000000.
-            efficiency: grinding: of the wheel's drive, default 0.85; milling: makes forces of the cut of
-                those that the drive saw, default 1; 0.1 to 1.
+            tool: milling: number of the tool whose cuts are evaluated; default: all tools; 1 to 1000000.
+            efficiency: grinding: efficiency of the wheel drive, default 0.85; milling: converts the forces
+                at the drive into those of the cut, default 1; 0.1 to 1.
         """
         return self._call("process.figures", _given(
             file=file, kind=kind, stock=stock, program=program, channel=channel, spindle=spindle,
@@ -1056,25 +1066,26 @@ class ProcessMethods:
         stiffness: float | None = None,
         channel: int | None = None,
     ) -> dict[str, Any]:
-        """Forces along a program, and feeds that hold one, as `stanok process optimise`; places are path mm, force
-        as programmed N, as planned N, feed as programmed mm/min, as planned, power W, depth mm or area mm2,
-        deflection um; text is the program with the feeds.
+        """Calculate forces along a program, and feeds that hold a force, like `stanok process optimise`; places
+        are path mm, force as programmed N, force as planned N, feed as programmed mm/min, feed as planned
+        mm/min, power W, depth mm or area mm2, deflection um; text is the program with the planned feeds.
 
         ``process.forces``, for the role observer.
 
         Args:
-            program: part program beneath the program root.
-            cut: of a milling program: tool and material (.toml) beneath the program root; without it the
-                program is a turning one.
-            tool: milling: whose cuts are looked at; default: all; 1 to 1000000.
-            step: milling: between two places that are looked at; default: twice the resolution of the
+            program: part program under the program root.
+            cut: milling: file with tool and material (.toml) under the program root; without it the program
+                is a turning program.
+            tool: milling: number of the tool whose cuts are evaluated; default: all tools; 1 to 1000000.
+            step: milling: distance between two evaluated positions; default: twice the resolution of the
                 workpiece; 0.0001 to 100 mm.
-            force: cutting force to be kept; without it the forces as programmed are told; 0.001 to 1000000
-                N.
-            feed_min: least feed, a turn; default: a twentieth of the programmed one; 0.0001 to 1000 mm.
-            feed_max: greatest feed, a turn; default: the programmed one; 0.0001 to 1000 mm.
-            stiffness: turning: of tool and part across the cut; tells the deflection; 0.001 to 1000000
-                N/um.
+            force: cutting force to hold; without it only the forces as programmed are calculated; 0.001 to
+                1000000 N.
+            feed_min: lowest feed per revolution; default: a twentieth of the programmed feed; 0.0001 to
+                1000 mm.
+            feed_max: highest feed per revolution; default: the programmed feed; 0.0001 to 1000 mm.
+            stiffness: turning: stiffness of tool and part across the cut; set it to get the deflection;
+                0.001 to 1000000 N/um.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("process.forces", _given(
@@ -1082,7 +1093,7 @@ class ProcessMethods:
             feed_max=feed_max, stiffness=stiffness, channel=channel))
 
     def cancel(self) -> dict[str, Any]:
-        """End what this connection has calculated of the process, which answers E9017.
+        """Cancel the process calculation of this connection, which then answers E9017.
 
         ``process.cancel``, for the role observer.
         """
@@ -1096,7 +1107,7 @@ class WorkpieceMethods:
         self._call = call
 
     def status(self) -> dict[str, Any]:
-        """Whether announcements of workpieces are published, and the latest of every channel.
+        """Show whether announcements of workpieces are published, and the latest one of every channel.
 
         ``workpiece.status``, for the role observer.
         """
@@ -1111,32 +1122,31 @@ class WorkpieceMethods:
         from_: int | None = None,
         reference: str | None = None,
     ) -> dict[str, Any]:
-        """Surface of the workpiece that is being cut, by pages; or what has changed of it.
+        """Read the surface of the workpiece that is being cut, page by page, or only what has changed.
 
         ``workpiece.surface``, for the role observer.
 
         Args:
             channel: channel; default: the first one; 1 to 999.
-            workpiece: the one that `since` and `from` are of; of another one all is told, from its
-                beginning; 0 to 4000000000.
-            since: version that is known already: only what has changed later is told; default 0: all; 0 to
-                4000000000.
-            from_: brick with which the page begins, as `next` of the one before told; default 0; 0 to
-                1000000000.
-            reference: STL file beneath the program root, in the workpiece system of the announcement: the
-                numbers of corners are how far they are off it, Int32 in 0.1 um, above 0 outside, instead of
-                tools.
+            workpiece: workpiece that `since` and `from` refer to; if the channel has another one, the
+                answer contains all of it, from its beginning; 0 to 4000000000.
+            since: version that you already have: the answer contains only what has changed since; default
+                0: everything; 0 to 4000000000.
+            from_: brick at which the page begins: `next` of the previous page; default 0; 0 to 1000000000.
+            reference: STL file under the program root, in the workpiece system of the announcement: the
+                numbers of the corners are then their distances from its surface, Int32 in 0.1 um, positive
+                outside, instead of tools.
         """
         return self._call("workpiece.surface", _given(
             channel=channel, workpiece=workpiece, since=since, from_=from_, reference=reference))
 
     def allow(self, *, on: int | None = None) -> dict[str, Any]:
-        """Publish the workpieces that programs announce with #workpiece, for viewers that follow the cut.
+        """Publish the workpieces that programs announce with #workpiece, so that viewers can follow the cut.
 
         ``workpiece.allow``, for the role operator.
 
         Args:
-            on: 1 (default): allow them; 0: no longer; 0 to 1.
+            on: 1 (default): publish them; 0: stop publishing them; 0 to 1.
         """
         return self._call("workpiece.allow", _given(on=on))
 
@@ -1148,7 +1158,7 @@ class ScopeMethods:
         self._call = call
 
     def signals(self) -> dict[str, Any]:
-        """Signals of axes, channels and cycle that can be recorded, with units and limits.
+        """List the signals of axes, channels and cycle that can be recorded, with units and limits.
 
         ``scope.signals``, for the role observer.
         """
@@ -1168,41 +1178,41 @@ class ScopeMethods:
         before_s: float | None = None,
         length_s: float | None = None,
     ) -> dict[str, Any]:
-        """Record signals in every cycle, from before a trigger; ends the recording before.
+        """Record signals in every cycle, starting before a trigger; ends the previous recording.
 
         ``scope.start``, for the role operator.
 
         Args:
-            signals: up to 8 names of scope.signals with blanks or commas between them.
-            trigger: what the recording waits for; default none: it begins at once.
-            signal: signal of the level; default: the first one.
-            level: value that the signal crosses, in its unit; -1000000000 to 1000000000.
-            edge: in which direction; default rising.
-            event: code of the event, like E6010; default: any.
-            line: line of the block that begins; 1 to 4000000000.
+            signals: up to 8 names from scope.signals, separated by blanks or commas.
+            trigger: what the recording waits for; default none: it starts immediately.
+            signal: signal that is compared with the level; default: the first one.
+            level: value that the signal must cross, in its unit; -1000000000 to 1000000000.
+            edge: direction of the crossing; default rising.
+            event: code of the event, such as E6010; default: any.
+            line: line of the block whose beginning is the trigger; 1 to 4000000000.
             channel: channel; default: the first one; 1 to 999.
-            before_s: time kept from before the trigger; default: a quarter; 0 to 120 s.
-            length_s: time of the whole recording, at most 120,000 cycles; default 2; 0.001 to 120 s.
+            before_s: time recorded before the trigger; default: a quarter of length_s; 0 to 120 s.
+            length_s: duration of the whole recording, at most 120,000 cycles; default 2; 0.001 to 120 s.
         """
         return self._call("scope.start", _given(
             signals=signals, trigger=trigger, signal=signal, level=level, edge=edge, event=event, line=line,
             channel=channel, before_s=before_s, length_s=length_s))
 
     def stop(self) -> dict[str, Any]:
-        """End the recording; what there is can be read.
+        """End the recording; what has been recorded can be read.
 
         ``scope.stop``, for the role operator.
         """
         return self._call("scope.stop", _given())
 
     def read(self, *, from_: int | None = None) -> dict[str, Any]:
-        """The recording, at most 4096 cycles at a time: Float32, little endian, in base64, a value of each signal,
-        cycle by cycle.
+        """Read the recording, at most 4096 cycles at a time: Float32, little endian, in base64, one value of each
+        signal, cycle by cycle.
 
         ``scope.read``, for the role observer.
 
         Args:
-            from_: cycle of the recording with which the answer begins; default 0; 0 to 1000000000.
+            from_: cycle of the recording at which the answer begins; default 0; 0 to 1000000000.
         """
         return self._call("scope.read", _given(from_=from_))
 
@@ -1214,20 +1224,20 @@ class HistoryMethods:
         self._call = call
 
     def logs(self) -> dict[str, Any]:
-        """The log files of the machine, the newest first.
+        """List the log files of the machine, newest first.
 
         ``history.logs``, for the role observer.
         """
         return self._call("history.logs", _given())
 
     def verify(self, file: str) -> dict[str, Any]:
-        """Repeat a log from its inputs and compare every setpoint: same, part (it is cut, damaged or lacks inputs;
-        the same as far as it goes), or differs.
+        """Repeat the run of a log from its inputs and compare every setpoint; the verdict is same, part (the log
+        is cut off, damaged or lacks inputs, but is the same as far as it goes), or differs.
 
         ``history.verify``, for the role observer.
 
         Args:
-            file: name of a log, as history.logs tells it.
+            file: name of a log, as history.logs lists it.
         """
         return self._call("history.verify", _given(file=file))
 
@@ -1239,16 +1249,16 @@ class HistoryMethods:
         page: int | None = None,
         system: Literal["work", "part"] | None = None,
     ) -> dict[str, Any]:
-        """Where a log led the tip of a channel: pages of points with their times.
+        """Read the path of the tool tip of a channel from a log: pages of points with their times.
 
         ``history.path``, for the role observer.
 
         Args:
-            file: name of a log, as history.logs tells it.
+            file: name of a log, as history.logs lists it.
             channel: channel; default: the first one; 1 to 999.
-            page: page of the path, from 0; default 0, which reads the log anew; 0 to 1000000.
-            system: of the points: work, the workpiece system that is active there, or part, one that stays
-                on the part; default: work.
+            page: page of the path, from 0; default 0, which reads the log again; 0 to 1000000.
+            system: coordinate system of the points: work, the workpiece system that is active at each
+                point, or part, a system that is fixed to the part; default: work.
         """
         return self._call("history.path", _given(file=file, channel=channel, page=page, system=system))
 
@@ -1260,21 +1270,21 @@ class LogMethods:
         self._call = call
 
     def status(self) -> dict[str, Any]:
-        """Recorder and LCM publisher: file, bytes, losses.
+        """Show file, bytes and losses of the recorder and the LCM publisher.
 
         ``log.status``, for the role observer.
         """
         return self._call("log.status", _given())
 
     def start(self) -> dict[str, Any]:
-        """Begin a new log file.
+        """Start a new log file.
 
         ``log.start``, for the role operator.
         """
         return self._call("log.start", _given())
 
     def stop(self) -> dict[str, Any]:
-        """End the log file.
+        """Close the log file.
 
         ``log.stop``, for the role operator.
         """
@@ -1293,14 +1303,14 @@ class SessionMethods:
         *,
         name: str | None = None,
     ) -> dict[str, Any]:
-        """Lower the role of this connection, and say who works there.
+        """Lower the role of this connection, and name the person who works there.
 
         ``session.role``, for the role observer.
 
         Args:
-            role: highest role to have from now on; a connection cannot raise its role again.
-            name: who works here, for the log and for others who see who controls a channel; the first name
-                stays.
+            role: highest role of the connection from now on; a connection cannot raise its role again.
+            name: name of the person who works here, for the log and for others who see who controls a
+                channel; once given, the name cannot be changed.
         """
         return self._call("session.role", _given(role=role, name=name))
 
@@ -1312,14 +1322,14 @@ class SystemMethods:
         self._call = call
 
     def info(self) -> dict[str, Any]:
-        """Version, build, process, files, clients.
+        """Show version, build, process, files and clients of the daemon.
 
         ``system.info``, for the role observer.
         """
         return self._call("system.info", _given())
 
     def shutdown(self) -> dict[str, Any]:
-        """Feed hold, then drives off, then the daemon ends.
+        """Hold the feed, then switch the drives off, then end the daemon.
 
         ``system.shutdown``, for the role integrator.
         """
@@ -1333,7 +1343,7 @@ class RpcMethods:
         self._call = call
 
     def discover(self) -> dict[str, Any]:
-        """This table of methods as an OpenRPC document.
+        """Show this table of methods as an OpenRPC document.
 
         ``rpc.discover``, for the role observer.
         """
@@ -1381,10 +1391,11 @@ class Methods:
         Args:
             text: one complete statement.
             channel: channel; default: the first one; 1 to 999.
-            wait: when the answer comes: request accepted, or work done.
-            situation: situation of the channel in the status that was looked at; refused where it has
-                changed since; 1 to 2147483647.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            wait: whether to answer when the request is accepted, or when the work is done.
+            situation: situation of the channel in the status that the request is based on; the request is
+                refused if the situation has changed since; 1 to 2147483647.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("mdi", _given(
             text=text, channel=channel, wait=wait, situation=situation, seen_cycle=seen_cycle))
@@ -1399,20 +1410,21 @@ class Methods:
         channel: int | None = None,
         seen_cycle: int | None = None,
     ) -> dict[str, Any]:
-        """Jog an axis: by an increment, or for 200 ms at a time; repeat the command to keep it moving.
+        """Jog an axis by an increment, or for 200 ms at a time; repeat the command to keep the axis moving.
 
         ``jog``, for the role operator.
 
         Args:
-            axis: axis of the machine, as in the machine file; with another frame X, Y or Z.
+            axis: machine axis as named in the machine file; with another frame than machine: X, Y or Z.
             velocity: velocity; its sign is the direction; -100000 to 100000 mm/s, deg/s.
-            increment: distance to go; without it the axis moves as long as the jog is repeated; 0 to 100000
-                mm, deg.
-            frame: whose directions: one axis of the machine, the tool (Z from its tip into the spindle), or
-                the workpiece as programs see it now, tilted planes included; the tool goes straight then,
-                and the rotary axes stand.
+            increment: distance to move; without it the axis moves as long as the jog is repeated; 0 to
+                100000 mm, deg.
+            frame: directions of the jog: those of one machine axis, of the tool (Z points from its tip into
+                the spindle), or of the workpiece as programs see it at present, including tilted planes;
+                with `tool` and `plane` the tool moves in a straight line and the rotary axes do not move.
             channel: channel; default: the first one; 1 to 999.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("jog", _given(
             axis=axis, velocity=velocity, increment=increment, frame=frame, channel=channel,
@@ -1425,15 +1437,16 @@ class Methods:
         channel: int | None = None,
         seen_cycle: int | None = None,
     ) -> dict[str, Any]:
-        """Home the axes of a channel in the order of the machine file: find home switch or index pulse; answers
-        when it is done.
+        """Home the axes of a channel in the order of the machine file; finds the home switches or index pulses,
+        and answers when homing is done.
 
         ``home``, for the role operator.
 
         Args:
-            axis: one axis only; default: all of the channel.
+            axis: home only this axis; default: all axes of the channel.
             channel: channel; default: the first one; 1 to 999.
-            seen_cycle: cycle of the newest status that was seen; refused where that is long ago.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
         """
         return self._call("home", _given(axis=axis, channel=channel, seen_cycle=seen_cycle))
 
@@ -1448,7 +1461,7 @@ class Methods:
         ``subscribe``, for the role observer.
 
         Args:
-            topics: topics to be told of; an empty list ends the subscription.
-            rate_hz: most status messages per second; default 10; 0.1 to 50 Hz.
+            topics: topics to subscribe to; an empty list ends the subscription.
+            rate_hz: maximum number of status messages per second; default 10; 0.1 to 50 Hz.
         """
         return self._call("subscribe", _given(topics=topics, rate_hz=rate_hz))

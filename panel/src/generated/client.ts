@@ -1,7 +1,7 @@
 // Made from openrpc.json by tools/client.mjs: do not change it by hand.
 
 export interface Methods {
-  /** switch on the drives of the axes that take part */
+  /** switch on the drives of all axes that are not parked */
   "machine.on": {
     params: {
       seen_cycle?: number;
@@ -17,14 +17,14 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** STOP ALL (not the E-stop): along the path to rest at once, then drives off; always accepted */
+  /** STOP ALL (not the E-stop): stop immediately along the path, then switch the drives off; always accepted */
   "machine.estop": {
     params: Record<string, never>;
     result: {
       accepted: boolean;
     };
   };
-  /** what operators did, starts and ends of the daemon, the newest 2000, also of before */
+  /** list what operators did, and starts and ends of the daemon: the newest 2000 entries, including those from before the last start */
   "machine.journal": {
     params: Record<string, never>;
     result: {
@@ -42,7 +42,7 @@ export interface Methods {
       }[];
     };
   };
-  /** cycle, drives, real-time figures, state of every channel */
+  /** show cycle, drives, real-time figures, and the state of every channel */
   "machine.status": {
     params: Record<string, never>;
     result: {
@@ -88,7 +88,7 @@ export interface Methods {
       };
     };
   };
-  /** channels with kind, axes, scheme and state */
+  /** list the channels with kind, axes, scheme and state */
   "channel.list": {
     params: Record<string, never>;
     result: {
@@ -105,7 +105,7 @@ export interface Methods {
       }[];
     };
   };
-  /** state, program, block, position, feed and overrides of a channel */
+  /** show state, program, block, position, feed and overrides of a channel */
   "channel.status": {
     params: {
       channel?: number;
@@ -220,7 +220,7 @@ export interface Methods {
       work_offset: string | null;
     };
   };
-  /** words that lead to where the channel stands, and where they come from */
+  /** show the words that lead to the present position of a channel, and how they are derived */
   "channel.position": {
     params: {
       why?: number;
@@ -251,7 +251,7 @@ export interface Methods {
       units: string;
     };
   };
-  /** control a channel alone until the connection ends; others can still stop it */
+  /** take sole control of a channel until the connection ends; others can still stop it */
   "channel.control": {
     params: {
       on?: number;
@@ -262,7 +262,7 @@ export interface Methods {
       controlled_by: string | null;
     };
   };
-  /** status of a channel as it changes */
+  /** show the status of a channel as it changes */
   "channel.watch": {
     params: {
       channel?: number;
@@ -273,7 +273,7 @@ export interface Methods {
       topics: string[];
     };
   };
-  /** text of a program and its version, at most 512 KiB at a time */
+  /** read the text of a program and its version, at most 512 KiB at a time */
   "program.read": {
     params: {
       program: string;
@@ -289,7 +289,7 @@ export interface Methods {
       version: string;
     };
   };
-  /** write a program, whole or not at all, if nobody has changed it meanwhile */
+  /** write a program, completely or not at all, if nobody has changed it in the meantime */
   "program.write": {
     params: {
       program: string;
@@ -304,7 +304,7 @@ export interface Methods {
       version: string | null;
     };
   };
-  /** remove a program, if nobody has changed it meanwhile */
+  /** remove a program, if nobody has changed it in the meantime */
   "program.remove": {
     params: {
       program: string;
@@ -314,7 +314,7 @@ export interface Methods {
       program: string;
     };
   };
-  /** errors and warnings of a program, without running it, and where the rotary axes will stand in its tilted planes; another check of this connection ends this one */
+  /** find errors and warnings of a program without running it, and the positions of the rotary axes in its tilted planes; another check on this connection ends this one */
   "program.check": {
     params: {
       program: string;
@@ -354,7 +354,7 @@ export interface Methods {
       version: string | null;
     };
   };
-  /** the virtual workpiece as the program leaves it, run on a virtual clock: `picture` is a PNG in base64, seen from the front, right and above; null: the program announces no blank. A check of this connection ends it */
+  /** draw the virtual workpiece as the program leaves it after a run on a virtual clock: `picture` is a PNG in base64, seen from the front, right and above, or null if the program announces no blank; a check on this connection ends it */
   "program.picture": {
     params: {
       program: string;
@@ -385,7 +385,7 @@ export interface Methods {
       time_s: number;
     };
   };
-  /** time and way of a program, from running it on a virtual clock with the tables, schemes and places of now, overrides at 100 %; a check of this connection ends it */
+  /** find the time and path length of a program from a run on a virtual clock with the present tables, schemes and positions, overrides at 100 %; a check on this connection ends it */
   "program.estimate": {
     params: {
       program: string;
@@ -420,14 +420,14 @@ export interface Methods {
       time_s: number;
     };
   };
-  /** end the check or estimate of this connection, which answers E9017 */
+  /** cancel the check or estimate of this connection, which then answers E9017 */
   "program.check_cancel": {
     params: Record<string, never>;
     result: {
       accepted: boolean;
     };
   };
-  /** planned path of the tip, from the simulation of the loaded program; pages of points with the lines that lead to them */
+  /** read the planned path of the tool tip from the simulation of the loaded program: pages of points with the program lines that lead to them */
   "program.path": {
     params: {
       channel?: number;
@@ -452,7 +452,7 @@ export interface Methods {
       system: string;
     };
   };
-  /** compile a program; errors come with file, line and column */
+  /** load and compile a program; errors are reported with file, line and column */
   "program.load": {
     params: {
       program: string;
@@ -480,7 +480,7 @@ export interface Methods {
       time_s?: number;
     };
   };
-  /** start the loaded program; continue it when held */
+  /** start the loaded program, or continue it if it is held */
   "program.start": {
     params: {
       channel?: number;
@@ -499,7 +499,7 @@ export interface Methods {
       time_s?: number;
     };
   };
-  /** feed hold: come to rest along the path */
+  /** feed hold: stop along the path */
   "program.hold": {
     params: {
       channel?: number;
@@ -518,7 +518,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** hold, then end the program without an alarm */
+  /** hold the feed, then end the program without an alarm */
   "program.stop": {
     params: {
       channel?: number;
@@ -536,7 +536,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** optional stop: whether M1 stops the program */
+  /** optional stop: set whether M1 stops the program */
   "program.optional_stop": {
     params: {
       on: number;
@@ -546,7 +546,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** single block: stop after each block; program start lets the next one begin */
+  /** single block: stop after each block; `program start` begins the next one */
   "program.step": {
     params: {
       on: number;
@@ -576,7 +576,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** program files beneath the program root, with the times (Unix) of their last change, and of the last check and run since the daemon started */
+  /** list the program files under the program root, with the times (Unix) of their last change, and of the last check and run since the daemon started */
   "program.list": {
     params: Record<string, never>;
     result: {
@@ -593,7 +593,7 @@ export interface Methods {
       root: string;
     };
   };
-  /** program runs, with times and how they ended, the newest 500 of each channel; cycles are those of this start of the daemon */
+  /** list the newest 500 program runs of each channel, with their times and how they ended; cycles are those of this start of the daemon */
   "program.history": {
     params: {
       channel?: number;
@@ -617,7 +617,7 @@ export interface Methods {
       })[];
     };
   };
-  /** block search: the loaded program begins at this block when it is started; answers what lies before it */
+  /** block search: make the loaded program begin at this block when it is started; the answer shows what precedes the block */
   "program.search": {
     params: {
       target: string;
@@ -640,7 +640,7 @@ export interface Methods {
       target: string;
     };
   };
-  /** feed override of a channel */
+  /** set the feed override of a channel */
   "override.feed": {
     params: {
       percent: number;
@@ -651,7 +651,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** rapid override of a channel */
+  /** set the rapid override of a channel */
   "override.rapid": {
     params: {
       percent: number;
@@ -662,7 +662,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** spindle override of a channel */
+  /** set the spindle override of a channel */
   "override.spindle": {
     params: {
       percent: number;
@@ -672,7 +672,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** programs that wait, of one channel or all; what stopped a queue */
+  /** list the waiting programs of one channel or of all, and what stopped a queue */
   "queue.list": {
     params: {
       channel?: number;
@@ -691,7 +691,7 @@ export interface Methods {
       })[];
     };
   };
-  /** put a program at the end of the queue of a channel */
+  /** add a program to the end of the queue of a channel */
   "queue.add": {
     params: {
       program: string;
@@ -711,7 +711,7 @@ export interface Methods {
       })[];
     };
   };
-  /** take a program out of the queue, unless it is under way */
+  /** remove a program from the queue, unless it is in progress */
   "queue.remove": {
     params: {
       id: number;
@@ -731,7 +731,7 @@ export interface Methods {
       })[];
     };
   };
-  /** give a program another place in the queue */
+  /** move a program to another position in the queue */
   "queue.move": {
     params: {
       id: number;
@@ -752,7 +752,7 @@ export interface Methods {
       })[];
     };
   };
-  /** run the programs of the queue one after the other, until one fails, somebody stops or resets something, takes the channel, or an alarm comes */
+  /** run the programs of the queue one after the other, until one fails, an alarm occurs, or somebody stops or resets something or takes the channel */
   "queue.start": {
     params: {
       channel?: number;
@@ -772,7 +772,7 @@ export interface Methods {
       })[];
     };
   };
-  /** begin no further program; the one under way goes on */
+  /** start no further program; the one in progress continues */
   "queue.stop": {
     params: {
       channel?: number;
@@ -791,7 +791,7 @@ export interface Methods {
       })[];
     };
   };
-  /** kinematic schemes of a channel */
+  /** list the kinematic schemes of a channel */
   "kinematics.list": {
     params: {
       channel?: number;
@@ -807,7 +807,7 @@ export interface Methods {
       })[];
     };
   };
-  /** switch the channel to another scheme; the channel must be idle */
+  /** switch a channel to another kinematic scheme; the channel must be idle */
   "kinematics.select": {
     params: {
       scheme: number;
@@ -818,7 +818,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** active scheme, its axes, their drives and brakes */
+  /** show the active scheme, its axes, and their drives and brakes */
   "kinematics.status": {
     params: {
       channel?: number;
@@ -835,7 +835,7 @@ export interface Methods {
       type: string | null;
     };
   };
-  /** drives of the machine file with bus address, kind and requests */
+  /** list the drives of the machine file with bus address, kind and requests */
   "drive.list": {
     params: Record<string, never>;
     result: {
@@ -854,7 +854,7 @@ export interface Methods {
       timeout_ms: number;
     };
   };
-  /** every drive: state, fault, position, switches, errors; the bus: exchanges, latency */
+  /** show state, fault, position, switches and errors of every drive, and exchanges and latency of the bus */
   "drive.status": {
     params: Record<string, never>;
     result: {
@@ -925,7 +925,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** active alarms */
+  /** list the active alarms */
   "alarm.list": {
     params: {
       channel?: number;
@@ -957,7 +957,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** alarms, the newest 500 of each channel */
+  /** list the newest 500 alarms of each channel */
   "alarm.history": {
     params: {
       channel?: number;
@@ -980,7 +980,7 @@ export interface Methods {
       forgotten?: number;
     };
   };
-  /** what programs measured since the daemon started, the newest 500 of each channel */
+  /** list what programs have measured since the daemon started: the newest 500 results of each channel */
   "measurement.history": {
     params: {
       channel?: number;
@@ -997,7 +997,7 @@ export interface Methods {
       }[];
     };
   };
-  /** tool table */
+  /** list the tool table */
   "tool.list": {
     params: Record<string, never>;
     result: {
@@ -1027,7 +1027,7 @@ export interface Methods {
       }[];
     };
   };
-  /** values of one edge of a tool */
+  /** show the values of one edge of a tool */
   "tool.get": {
     params: {
       number: number;
@@ -1071,7 +1071,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** set the length of a tool so that an axis stands at a value (touch off); at rest */
+  /** touch off: set the length of a tool so that an axis is at a given value; only at rest */
   "tool.touch": {
     params: {
       number: number;
@@ -1089,7 +1089,7 @@ export interface Methods {
       undo: number;
     };
   };
-  /** set the tools and work offsets that a text names; not while a program runs */
+  /** set the tools and work offsets that a text lists; not while a program runs */
   "tool.load": {
     params: {
       tables: string;
@@ -1100,14 +1100,14 @@ export interface Methods {
       values: number;
     };
   };
-  /** print tools and work offsets as a text that tool load takes */
+  /** print tools and work offsets as a text for `tool load` */
   "tool.save": {
     params: Record<string, never>;
     result: {
       tables: string;
     };
   };
-  /** changes of tools and work offsets since the daemon started, the newest 500, the newest first: by an operator, or by the program that ran last */
+  /** list the newest 500 changes of tools and work offsets since the daemon started, newest first: by an operator, or by the program that ran last */
   "tool.history": {
     params: Record<string, never>;
     result: {
@@ -1120,7 +1120,7 @@ export interface Methods {
       }[];
     };
   };
-  /** work offsets */
+  /** list the work offsets */
   "offset.list": {
     params: Record<string, never>;
     result: {
@@ -1140,7 +1140,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** set a work offset so that an axis stands at a value (touch off); at rest */
+  /** touch off: set a work offset so that an axis is at a given value; only at rest */
   "offset.touch": {
     params: {
       offset: string;
@@ -1157,7 +1157,7 @@ export interface Methods {
       undo: number;
     };
   };
-  /** take a touch-off back, of an offset or a tool, where nobody has changed the value since */
+  /** undo a touch-off of an offset or a tool, if nobody has changed the value since */
   "offset.undo": {
     params: {
       undo: number;
@@ -1185,7 +1185,7 @@ export interface Methods {
       time_s?: number;
     };
   };
-  /** jog an axis: by an increment, or for 200 ms at a time; repeat the command to keep it moving */
+  /** jog an axis by an increment, or for 200 ms at a time; repeat the command to keep the axis moving */
   jog: {
     params: {
       axis: string;
@@ -1199,7 +1199,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** home the axes of a channel in the order of the machine file: find home switch or index pulse; answers when it is done */
+  /** home the axes of a channel in the order of the machine file; finds the home switches or index pulses, and answers when homing is done */
   home: {
     params: {
       axis?: string;
@@ -1210,7 +1210,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** feed law, feed, spindle, cutting speed and force control */
+  /** show feed law, feed, spindle, cutting speed and force control */
   "process.status": {
     params: {
       channel?: number;
@@ -1229,7 +1229,7 @@ export interface Methods {
       stands: boolean;
     };
   };
-  /** interrupt the feed: at once, then after each L_B of path, for the time of L_A */
+  /** interrupt the feed for the time of L_A, immediately and then after each L_B of path */
   "process.interrupt": {
     params: {
       la: number;
@@ -1240,7 +1240,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** automatic feed law: the channel forms the feed from a sensor */
+  /** switch an automatic feed law on or off: the channel derives the feed from a sensor */
   "process.automatic": {
     params: {
       law: "modulated" | "linear";
@@ -1251,7 +1251,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** adaptive control of the cutting force: switch it on or off, or change one of its values */
+  /** switch the adaptive control of the cutting force on or off, or change one of its values */
   "process.adaptive": {
     params: {
       action: "off" | "on" | "set";
@@ -1263,7 +1263,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** plunge grinding cycle: designed from a process file, or verified from a control file; samples are time s, X mm, allowance left mm, infeed mm/s, removal mm2/rad, and the removal over its boundary; a check of this connection ends it */
+  /** design a plunge grinding cycle from a process file, or verify one from a control file; samples are time s, X mm, remaining allowance mm, infeed mm/s, removal mm2/rad, and the ratio of the removal to its boundary; a check on this connection ends it */
   "process.grinding": {
     params: {
       program: string;
@@ -1291,7 +1291,7 @@ export interface Methods {
       time_s?: number;
     };
   };
-  /** stability lobes, as `stanok process lobes`: depths up to which a cut does not chatter; limits are speed rev/min, depth mm (null: any), chatter Hz (0: not known) */
+  /** calculate stability lobes like `stanok process lobes`: the depths up to which a cut does not chatter; limits are speed rev/min, depth mm (null: any), chatter Hz (0: not known) */
   "process.stability": {
     params: {
       program: string;
@@ -1321,7 +1321,7 @@ export interface Methods {
       program: string;
     };
   };
-  /** figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; power is time s, as recorded W, as fitted W; text is what to write into a file */
+  /** figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; si is the same in SI units; power is time s, as recorded W, as fitted W; text is what to write into a file */
   "process.figures": {
     params: {
       file: string;
@@ -1342,6 +1342,12 @@ export interface Methods {
         high: number;
         low: number;
         name: string;
+        si: {
+          high: number;
+          low: number;
+          name: string;
+          value: number;
+        };
         value: number;
       }[];
       file: string;
@@ -1353,7 +1359,7 @@ export interface Methods {
       text: string;
     };
   };
-  /** forces along a program, and feeds that hold one, as `stanok process optimise`; places are path mm, force as programmed N, as planned N, feed as programmed mm/min, as planned, power W, depth mm or area mm2, deflection um; text is the program with the feeds */
+  /** calculate forces along a program, and feeds that hold a force, like `stanok process optimise`; places are path mm, force as programmed N, force as planned N, feed as programmed mm/min, feed as planned mm/min, power W, depth mm or area mm2, deflection um; text is the program with the planned feeds */
   "process.forces": {
     params: {
       program: string;
@@ -1380,14 +1386,14 @@ export interface Methods {
       time_s: number;
     };
   };
-  /** end what this connection has calculated of the process, which answers E9017 */
+  /** cancel the process calculation of this connection, which then answers E9017 */
   "process.cancel": {
     params: Record<string, never>;
     result: {
       accepted: boolean;
     };
   };
-  /** whether announcements of workpieces are published, and the latest of every channel */
+  /** show whether announcements of workpieces are published, and the latest one of every channel */
   "workpiece.status": {
     params: Record<string, never>;
     result: {
@@ -1398,7 +1404,7 @@ export interface Methods {
       }[];
     };
   };
-  /** surface of the workpiece that is being cut, by pages; or what has changed of it */
+  /** read the surface of the workpiece that is being cut, page by page, or only what has changed */
   "workpiece.surface": {
     params: {
       channel?: number;
@@ -1421,7 +1427,7 @@ export interface Methods {
       workpiece: number | null;
     };
   };
-  /** publish the workpieces that programs announce with #workpiece, for viewers that follow the cut */
+  /** publish the workpieces that programs announce with #workpiece, so that viewers can follow the cut */
   "workpiece.allow": {
     params: {
       on?: number;
@@ -1430,7 +1436,7 @@ export interface Methods {
       allowed: boolean;
     };
   };
-  /** signals of axes, channels and cycle that can be recorded, with units and limits */
+  /** list the signals of axes, channels and cycle that can be recorded, with units and limits */
   "scope.signals": {
     params: Record<string, never>;
     result: {
@@ -1441,7 +1447,7 @@ export interface Methods {
       })[];
     };
   };
-  /** record signals in every cycle, from before a trigger; ends the recording before */
+  /** record signals in every cycle, starting before a trigger; ends the previous recording */
   "scope.start": {
     params: {
       signals: string;
@@ -1459,14 +1465,14 @@ export interface Methods {
       id: number;
     };
   };
-  /** end the recording; what there is can be read */
+  /** end the recording; what has been recorded can be read */
   "scope.stop": {
     params: Record<string, never>;
     result: {
       accepted: boolean;
     };
   };
-  /** the recording, at most 4096 cycles at a time: Float32, little endian, in base64, a value of each signal, cycle by cycle */
+  /** read the recording, at most 4096 cycles at a time: Float32, little endian, in base64, one value of each signal, cycle by cycle */
   "scope.read": {
     params: {
       from?: number;
@@ -1488,7 +1494,7 @@ export interface Methods {
       values: string;
     };
   };
-  /** the log files of the machine, the newest first */
+  /** list the log files of the machine, newest first */
   "history.logs": {
     params: Record<string, never>;
     result: {
@@ -1501,7 +1507,7 @@ export interface Methods {
       }[];
     };
   };
-  /** repeat a log from its inputs and compare every setpoint: same, part (it is cut, damaged or lacks inputs; the same as far as it goes), or differs */
+  /** repeat the run of a log from its inputs and compare every setpoint; the verdict is same, part (the log is cut off, damaged or lacks inputs, but is the same as far as it goes), or differs */
   "history.verify": {
     params: {
       file: string;
@@ -1516,7 +1522,7 @@ export interface Methods {
       verdict: string;
     };
   };
-  /** where a log led the tip of a channel: pages of points with their times */
+  /** read the path of the tool tip of a channel from a log: pages of points with their times */
   "history.path": {
     params: {
       file: string;
@@ -1536,7 +1542,7 @@ export interface Methods {
       time_s: number;
     };
   };
-  /** recorder and LCM publisher: file, bytes, losses */
+  /** show file, bytes and losses of the recorder and the LCM publisher */
   "log.status": {
     params: Record<string, never>;
     result: {
@@ -1566,14 +1572,14 @@ export interface Methods {
       outputs_lost: number;
     };
   };
-  /** begin a new log file */
+  /** start a new log file */
   "log.start": {
     params: Record<string, never>;
     result: {
       path: string;
     };
   };
-  /** end the log file */
+  /** close the log file */
   "log.stop": {
     params: Record<string, never>;
     result: {
@@ -1591,7 +1597,7 @@ export interface Methods {
       topics: string[];
     };
   };
-  /** lower the role of this connection, and say who works there */
+  /** lower the role of this connection, and name the person who works there */
   "session.role": {
     params: {
       role: "observer" | "operator" | "programmer" | "integrator";
@@ -1601,7 +1607,7 @@ export interface Methods {
       role: string;
     };
   };
-  /** version, build, process, files, clients */
+  /** show version, build, process, files and clients of the daemon */
   "system.info": {
     params: Record<string, never>;
     result: {
@@ -1614,14 +1620,14 @@ export interface Methods {
       version: string;
     };
   };
-  /** feed hold, then drives off, then the daemon ends */
+  /** hold the feed, then switch the drives off, then end the daemon */
   "system.shutdown": {
     params: Record<string, never>;
     result: {
       accepted: boolean;
     };
   };
-  /** this table of methods as an OpenRPC document */
+  /** show this table of methods as an OpenRPC document */
   "rpc.discover": {
     params: Record<string, never>;
     result: {
