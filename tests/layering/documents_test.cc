@@ -43,7 +43,7 @@ std::string breakable(const std::string& line) {
   for (const char c : line) {
     if (c == '`') is_code = !is_code;
     if (c == '[' || c == '(') ++brackets;
-    if (!is_code && brackets == 0) rest += c;
+    if (!is_code && brackets == 0 && c != '`') rest += c;
     if ((c == ']' || c == ')') && brackets > 0) --brackets;
   }
   return rest;
