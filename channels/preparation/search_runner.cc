@@ -1,6 +1,7 @@
 #include "channels/preparation/search_runner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -308,10 +309,11 @@ motion::Point SearchRunner::out_along_tool(const motion::Point& point_W, int inf
   const auto point_B = kinematics::base_from_workpiece(transform.frame, point_W);
   const auto tool_B = transform.scheme->spindle_axes(point_B)[2];
   const Vector3<double> tool_W = transform.frame.rotation.turned_back(tool_B);
+  const std::array<double, 3> parts{tool_W.x(), tool_W.y(), tool_W.z()};
   motion::Point way{};
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
     const int axis = transform.frame.geometry[k];
-    if (axis >= 0) way[axis] = tool_W[k];
+    if (axis >= 0) way[axis] = parts[k];
   }
   const double rise = way[infeed];
   if (rise < flattest) return straight;
