@@ -335,6 +335,10 @@ class AtTheMachine(unittest.TestCase):
         self.until(lambda status: status["speed_mm_s"] > 1.0, "it ran")
         idle = [connect(self.machine.socket_path) for _ in range(70)]
         self.addCleanup(lambda: [one.close() for one in idle])
+        end = time.monotonic() + 60
+        while self.browser.request("GET", "/health").json() != {"status": "full", "daemon": True}:  # a second old
+            self.assertLess(time.monotonic(), end, "/health does not report that all places are taken")
+            time.sleep(0.1)
         window = self.browser.open_window()
         hello = window.receive()
         self.assertEqual(hello["method"], "hello")

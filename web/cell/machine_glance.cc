@@ -82,6 +82,7 @@ asio::awaitable<void> MachineGlance::look(Depth depth) {
   if (is_connected) line = co_await connection->next_line();
   const json hello = line ? protocol::json_from_text(*line) : json();
   answers_ = hello.is_object();
+  is_full_ = answers_ && hello.contains("method") && hello["method"] == "dropped";
   if (answers_ && hello.contains("params")) machine_ = hello["params"].value("machine", machine_);
   if (depth == Depth::greeting) {
     patience.cancel();

@@ -20,6 +20,8 @@ class MachineGlance {
 
   // By its greeting; nothing is asked.
   [[nodiscard]] boost::asio::awaitable<bool> daemon_answers();
+  // What it answered last was that all its places are taken.
+  [[nodiscard]] bool is_full() const { return is_full_; }
   // {"id", "name", "answers", "on", "channels": [...]}; `on` null and no channels where it does not
   // answer.
   [[nodiscard]] boost::asio::awaitable<nlohmann::json> summary();
@@ -40,6 +42,7 @@ class MachineGlance {
   std::filesystem::path socket_;
   std::string machine_;
   bool answers_ = false;
+  bool is_full_ = false;
   nlohmann::json status_;    // result of machine.status; null: not answered
   nlohmann::json channels_;  // what is shown of each
   Clock::time_point greeted_{};

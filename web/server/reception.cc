@@ -220,8 +220,10 @@ asio::awaitable<Answer> Reception::history(const Request& request) {
 }
 
 asio::awaitable<Answer> Reception::health() {
-  const bool answers = co_await exhibits_.machines.first().daemon_answers();
-  co_return json_answer(Status::ok, {{"status", "ok"}, {"daemon", answers}});
+  MachineGlance& machine = exhibits_.machines.first();
+  const bool answers = co_await machine.daemon_answers();
+  co_return json_answer(Status::ok,
+                        {{"status", machine.is_full() ? "full" : "ok"}, {"daemon", answers}});
 }
 
 Answer Reception::page_file(const Request& request) {
