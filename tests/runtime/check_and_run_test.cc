@@ -96,7 +96,7 @@ std::string refusal_of(const Surroundings& on, const std::filesystem::path& prog
   const config::MachineFile& file = machine_file(on.machine);
   const ProgramFiles files(roots_of(program), program_format(file.machine));
   const auto result =
-      check_program(file.machine, on.channel, on.scheme, program.filename().string(), files);
+      jobs::check_program(file.machine, on.channel, on.scheme, program.filename().string(), files);
   for (const Diagnostic& d : result.diagnostics)
     if (d.severity == Severity::error) return d.code + " " + d.message;
   return "";

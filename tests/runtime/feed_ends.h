@@ -56,7 +56,7 @@ struct FeedEnd {
 inline std::vector<FeedEnd> feed_ends(const channels::MachineConfig& machine,
                                       const std::string& text, int scheme = -1) {
   const PlaneProgram files(text);
-  DryRun run(machine, 1, scheme, files);
+  jobs::DryRun run(machine, 1, scheme, files);
   std::vector<FeedEnd> ends;
   const auto keep = [&](const lang::Command&, const motion::PathBlock* block) {
     if (block == nullptr || block->rapid) return;
@@ -77,8 +77,8 @@ inline std::vector<FeedEnd> feed_ends(const channels::MachineConfig& machine,
     }
     ends.push_back(end);
   };
-  const DryRunResult result = run.run("plane.nc", Reachability::checked, keep,
-                                      [](const lang::Request&, const lang::Command&) {});
+  const jobs::DryRunResult result = run.run("plane.nc", jobs::Reachability::checked, keep,
+                                            [](const lang::Request&, const lang::Command&) {});
   // Where the tool leaves a pole the axis that is free there turns first: the feed is out of reach.
   for (const Diagnostic& one : result.diagnostics) {
     if (one.code != "W810")

@@ -6,6 +6,7 @@
 #include "lang/contract/meaning.h"
 #include "tests/runtime/drive_bench.h"
 #include "tests/support/chain/operator_session.h"
+#include "tests/support/project_folders.h"
 #include "tests/support/sanitized.h"
 
 namespace stanok::runtime {

@@ -336,7 +336,7 @@ TEST_P(ThreePlanes, AndAPlaneLiesOnTheSetUpError) {
 }
 
 Diagnostics checked_plane(const std::string& machine, const std::string& program) {
-  return check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program))
+  return jobs::check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program))
       .diagnostics;
 }
 
@@ -353,8 +353,8 @@ TEST(TiltedPlaneOnMachine, NamesAxisLimitAndTheNearestDirection) {
 }
 
 PlanePositions positions(const std::string& machine, const std::string& program) {
-  const DryRunResult found =
-      check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program));
+  const jobs::DryRunResult found =
+      jobs::check_program(machine_called(machine), 1, -1, "plane.nc", PlaneProgram(program));
   EXPECT_TRUE(found.diagnostics.empty()) << found.diagnostics[0].message;
   return found.planes;
 }
@@ -401,8 +401,9 @@ TEST(TiltedPlaneOnMachine, TellsTheLimitOfTheOtherPosition) {
 
 // The tip is held, and Y would have to go too far: what the other position comes to helps then.
 TEST(TiltedPlaneOnMachine, TellsAPositionThatAnotherAxisCannotFollow) {
-  const DryRunResult found = check_program(machine_called("trunnion.toml"), 1, -1, "plane.nc",
-                                           PlaneProgram("G54\nG68.2 J35\nG53.6\nG69\nM30\n"));
+  const jobs::DryRunResult found =
+      jobs::check_program(machine_called("trunnion.toml"), 1, -1, "plane.nc",
+                          PlaneProgram("G54\nG68.2 J35\nG53.6\nG69\nM30\n"));
   ASSERT_EQ(found.diagnostics.size(), 1U);
   EXPECT_EQ(found.diagnostics[0].code, "E5101");
   ASSERT_EQ(found.planes.size(), 1U);
