@@ -75,7 +75,7 @@ test('its force is set from the page', async () => {
 test('the feed is interrupted, and no more', async () => {
   const feed = page.getByRole('region', { name: 'Feed' });
   await feed.getByLabel('cut L_B, mm').fill('5');
-  await feed.getByRole('button', { name: 'Interrupt' }).click();
+  await feed.getByRole('button', { name: 'Interrupt', exact: true }).click();
   await feed.getByText(/pauses for 2.00 mm after each 5.00 mm/).waitFor();
   assert.deepEqual(await findings(), []);
   await feed.getByRole('button', { name: 'Stop interrupting' }).click();
@@ -88,7 +88,7 @@ test('a grinding cycle is designed, another one verified, with their plots', asy
   await grinding.getByLabel('Process file').selectOption('plunge_grinding.toml');
   await grinding.getByRole('button', { name: 'Calculate' }).click();
   await grinding.getByText('within its limits').waitFor();
-  await grinding.getByRole('row', { name: /this one 15\.44/ }).waitFor();
+  await grinding.getByRole('row', { name: /this cycle 15\.44/ }).waitFor();
   await grinding.getByRole('row', { name: /lower bound 13\.59/ }).waitFor();
   const samples = await grinding.locator('canvas').first().getAttribute('data-samples');
   assert.ok(Number(samples) > 300, samples);
@@ -97,7 +97,7 @@ test('a grinding cycle is designed, another one verified, with their plots', asy
   await picture('grinding');
   await grinding.getByLabel('Process file').selectOption('plunge_grinding.txt');
   await grinding.getByRole('button', { name: 'Calculate' }).click();
-  await grinding.getByRole('row', { name: /this one 18\.06/ }).waitFor();
+  await grinding.getByRole('row', { name: /this cycle 18\.06/ }).waitFor();
   await grinding.getByRole('link', { name: 'W910' }).first().waitFor();
 });
 
@@ -194,7 +194,7 @@ test('feeds are planned that keep a force, and put among the programs', async ()
   const forces = page.getByRole('region', { name: 'Forces along a program' });
   await forces.getByLabel('Program', { exact: true }).selectOption('adaptive_steps.nc');
   await forces.getByLabel('set force, N').fill('1200');
-  await forces.getByLabel('feed at least').fill('0.05');
+  await forces.getByLabel('minimum feed').fill('0.05');
   await forces.getByLabel('maximum feed').fill('0.6');
   await forces.getByRole('button', { name: 'Calculate' }).click();
   const row = forces.getByRole('row', { name: /maximum force, N/ });

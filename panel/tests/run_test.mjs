@@ -97,11 +97,11 @@ test('the part that a program leaves is shown before it runs; the list says when
   await page.getByRole('button', { name: 'Check', exact: true }).click();
   await files.getByText(/checked \d\d:\d\d/).waitFor();
   await page.getByRole('button', { name: 'Show the part' }).click();
-  const text = await page.getByText(/cm³ are cut away/).innerText({ timeout: 90_000 });
+  const text = await page.getByText(/cm³ removed/).innerText({ timeout: 90_000 });
   const [removed, blank] = (/: ([\d.]+) cm³ of ([\d.]+)/.exec(text) ?? []).slice(1).map(Number);
   assert.equal(blank, (60 * 40 * 12) / 1000);
   assert.ok(Math.abs(removed / removed_cm3 - 1) < 0.005, text);
-  const part = page.getByLabel('The part that plate.nc leaves');
+  const part = page.getByLabel('The part that plate.nc makes');
   await until('the picture', async () => (await part.getAttribute('data-drawn')) === '640');
   // In its middle there is the part, in its corner there is none.
   const alpha = await part.evaluate((canvas) => {
@@ -237,7 +237,7 @@ test('a log is verified and played, forward and backward', async () => {
     .getByRole('button', { name: 'Verify' })
     .first()
     .click();
-  await page.getByText(/repeats to the bit/).waitFor({ timeout: 90_000 });
+  await page.getByText(/repeats bit for bit/).waitFor({ timeout: 90_000 });
   assert.deepEqual(await findings(), []);
   await picture('history');
   await page
@@ -267,7 +267,7 @@ test('a log is verified and played, forward and backward', async () => {
 
 test('the scope records every cycle from its start', async () => {
   await show('scope');
-  await page.getByText('No recording').waitFor();
+  await page.getByText('No recording', { exact: true }).waitFor();
   assert.deepEqual(await findings(), []);
   await page.getByLabel('Length').selectOption('0.5 s');
   await page.getByRole('button', { name: 'Record' }).click();
@@ -277,7 +277,7 @@ test('the scope records every cycle from its start', async () => {
 });
 
 test('a block is a trigger; what was before it is there, too', async () => {
-  await page.getByLabel('Trigger').selectOption('at a block');
+  await page.getByLabel(/^Trigger/).selectOption('at a block');
   await page.getByLabel('Line, channel 1').fill('7');
   await page.getByLabel('Length').selectOption('2 s');
   await page.getByRole('button', { name: 'Record' }).click();

@@ -222,7 +222,7 @@ describe('states', () => {
     await page.getByRole('alert').locator('.refusal').waitFor();
     await says.getByText('“no such line” has not been searched').waitFor();
     await field.fill('');
-    await says.getByText('at the top').waitFor();
+    await says.getByText('from the beginning').waitFor();
     await page.context().close();
   });
 
@@ -418,7 +418,7 @@ describe('users', () => {
     await page.getByText('Name or password is wrong.').waitFor();
     await signIn(page, 'observer', password);
     await page.getByRole('button', { name: 'observer' }).first().click();
-    await page.getByText('You may look.').waitFor();
+    await page.getByText('You can watch.').waitFor();
     await page.locator('#session-menu').getByText('e7106mf4').waitFor();
     assert.deepEqual(await findings(page), []);
     await signIn(page, 'operator', password);
@@ -550,7 +550,7 @@ describe('what is not saved', () => {
     );
     const page = await stage.openMachine();
     await page.evaluate(() => (location.hash = '#/programs/cp1251.nc'));
-    await page.getByText('This text is not in UTF-8').waitFor();
+    await page.getByText('This text is not UTF-8').waitFor();
     await page.getByLabel('Text of the program').click();
     await page.keyboard.type('G4 ');
     await page.getByRole('heading', { name: /changed/ }).waitFor();
@@ -798,7 +798,7 @@ test('the planned path of the daemon is drawn, and a line of it shown', async ()
     throw new Error('nothing of the path was met');
   };
   await page.mouse.click(x, y);
-  await meet(1, 0, /mm apart/);
+  await meet(1, 0, /Distance [\d.]+ mm/);
   await page.getByRole('button', { name: 'Measure' }).click();
   await page.getByRole('button', { name: 'Limits' }).click();
   await page.getByText('This part of the path comes from line 15').waitFor();
