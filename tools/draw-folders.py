@@ -10,6 +10,7 @@ where the picture is not that of the build files, and where two folders include 
 
 import argparse
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -184,6 +185,12 @@ def drawing(edges):
     return text + "</svg>\n"
 
 
+def folders_of_the_project():
+    """Those of the top level with files under version control; what a build leaves there is none."""
+    listed = subprocess.run(["git", "-C", str(ROOT), "ls-files"], capture_output=True, text=True, check=False)
+    return {line.split("/")[0] for line in listed.stdout.splitlines() if "/" in line and not line.startswith(".")}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="write nothing; compare")
@@ -196,9 +203,8 @@ def main():
     missing = sorted(set(edges) - known)
     if missing:
         sys.exit("in no wing of tools/draw-folders.py: " + ", ".join(missing))
-    folders = {path.name for path in ROOT.iterdir() if path.is_dir() and not path.name.startswith(".")}
     named = known | {folder for beside in BESIDE.values() for folder in beside}
-    strangers = sorted(folders - named - {"build", "node_modules"})
+    strangers = sorted(folders_of_the_project() - named)
     if strangers:
         sys.exit("folders in no wing of tools/draw-folders.py: " + ", ".join(strangers))
     text = drawing(edges)
