@@ -60,6 +60,11 @@ void FaultList::throw_if_any() {
   std::ranges::stable_sort(faults_, {}, place);
   const auto repeated = std::ranges::unique(faults_, {}, to_string);  // a file used twice
   faults_.erase(repeated.begin(), repeated.end());
+  if (found_ > kept_max) {
+    faults_.push_back({.file = faults_.back().file,
+                       .text = "there are more faults than the " + std::to_string(kept_max) +
+                               " that were kept; correct these first"});
+  }
   throw ConfigError(std::move(faults_));
 }
 

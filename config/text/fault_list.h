@@ -38,8 +38,9 @@ class FaultList {
 
   // How many were found, kept or not.
   [[nodiscard]] std::size_t size() const { return found_; }
-  // Throws ConfigError with the faults that were found first (kept_max), file by file in the order
-  // of their places, each once; returns when there are none.
+  // Throws ConfigError with the faults that were found first (kept_max, and one that says that
+  // there are more), file by file in the order of their places, each once; returns when there are
+  // none.
   void throw_if_any();
 
  private:

@@ -8,6 +8,7 @@
 #include "channels/stores/live_tables.h"
 #include "config/files/tables_file.h"
 #include "config/text/config_error.h"
+#include "config/text/fault_list.h"
 #include "daemon/desk/tables/entry_doubt.h"
 #include "daemon/report/inventory.h"
 #include "protocol/contract/json_text.h"
@@ -25,8 +26,12 @@ using protocol::FailureKind;
 Failure failure_of(const config::ConfigError& error) {
   const config::ConfigFault& first = error.faults().front();
   std::string text = first.text;
-  if (error.faults().size() > 1)
-    text += " (and " + std::to_string(error.faults().size() - 1) + " more)";
+  const std::size_t others = error.faults().size() - 1;
+  if (others >= config::FaultList::kept_max) {
+    text += " (and more than " + std::to_string(config::FaultList::kept_max) + " others)";
+  } else if (others > 0) {
+    text += " (and " + std::to_string(others) + " more)";
+  }
   Failure failure{FailureKind::program_error, "E9014", std::move(text), 0, {}};
   failure.place.file = first.file;
   failure.place.line = static_cast<int>(first.line);
