@@ -322,12 +322,14 @@ motion::Point SearchRunner::out_along_tool(const motion::Point& point_W, int inf
 }
 
 bool SearchRunner::is_within_travel(const std::optional<motion::Point>& point_W) const {
+  constexpr double rounding = 1e-6;  // mm, deg: the end of an axis belongs to its travel
   if (!point_W) return true;
   motion::Point axes_M{};
   kinematics::inverse(parts_.feed.blocks().transform(), *point_W, axes_M);
   for (int k = 0; k < parts_.motion.axis_count; ++k) {
     const motion::AxisLimits& limits = parts_.motion.axes[k];
-    if (axes_M[k] < limits.position_min || axes_M[k] > limits.position_max) return false;
+    if (axes_M[k] < limits.position_min - rounding || axes_M[k] > limits.position_max + rounding)
+      return false;
   }
   return true;
 }
