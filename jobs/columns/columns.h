@@ -2,14 +2,11 @@
 // protocol, Python, files), how it is printed, and what becomes of it where rows are taken together
 // for a picture.
 //
-//   constexpr std::array columns{
-//       Column<Place>{"path_mm", 3, Together::first, [](const Place& place) { return place.path_mm;
-//       }}, Column<Place>{"force_n", 1, Together::peak, [](const Place& place) { return
-//       place.force_n; }}};
+//   const Columns<Place> columns{{"force_n", 1, Together::peak, force_of}};
+//   thinned(places, 1200, columns), csv(places, columns)
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <span>
@@ -47,19 +44,6 @@ template <class Row>
     chosen.push_back(*found);
   }
   return chosen;
-}
-
-// All rows.
-template <class Row>
-[[nodiscard]] NumberRows numbers_of(const std::vector<Row>& rows, const Columns<Row>& columns) {
-  NumberRows numbers;
-  numbers.reserve(rows.size());
-  for (const Row& row : rows) {
-    std::vector<double>& values = numbers.emplace_back();
-    values.reserve(columns.size());
-    for (const Column<Row>& column : columns) values.push_back(column.value(row));
-  }
-  return numbers;
 }
 
 // At most `most` rows (> 0), each of as many rows that follow one another. The extreme of a column
