@@ -59,6 +59,8 @@ function parameters(method) {
 
 const roles = methods.map((method) => `  ${key(method.name)}: '${method['x-role']}',`);
 const aged = methods.filter((method) => method.params.some((one) => one.name === 'seen_cycle'));
+const stops = methods.filter((method) => method['x-effect'] === 'stops');
+const list = (some) => some.map((method) => `  '${method.name}',`).join('\n');
 const types = methods.map(
   (method) =>
     `  /** ${method.summary.replaceAll('*/', '')} */\n  ${key(method.name)}: {\n    params: ${parameters(method)};\n` +
@@ -82,7 +84,12 @@ ${roles.join('\n')}
 
 /** What begins motion, and says what was seen when it was asked for. */
 export const aged_methods: readonly string[] = [
-${aged.map((method) => `  '${method.name}',`).join('\n')}
+${list(aged)}
+];
+
+/** What only ever brings motion to rest. */
+export const stop_methods: readonly string[] = [
+${list(stops)}
 ];
 `,
 );

@@ -4,6 +4,7 @@
 // anything later than it was asked for: a call without a connection fails at once, and calls that
 // have not been answered when the connection goes fail then. While nothing is heard only stops are
 // sent: what else waited in a network that hangs would be done when it comes alive again.
+import { stop_methods } from '../generated/client';
 import { noData, ownNumbers, Refusal, refusalOf, type Message } from './json_rpc';
 
 export type LinkState = 'connecting' | 'live' | 'lost';
@@ -28,10 +29,8 @@ export interface Socket {
   close(): void;
 }
 
-const stops = ['machine.estop', 'machine.off', 'program.hold', 'program.stop', 'program.reset'];
-
 /** Stops are sent while nothing is heard, and as often as they are asked for. */
-export const isStop = (method: string): boolean => stops.includes(method);
+export const isStop = (method: string): boolean => stop_methods.includes(method);
 
 interface Waiting {
   resolve(result: unknown): void;
