@@ -20,6 +20,12 @@ namespace stanok::channels {
 // How a run ended; none: it has not.
 enum class RunOutcome : std::uint8_t { none, done, stopped, alarm, estop, cut_off };
 
+// Periods of the clock in which no cycle ran, during a run: in all, and the most in a row.
+struct LostPeriods {
+  std::int64_t total = 0;
+  std::int64_t longest = 0;
+};
+
 // One finished (or running) program run of a channel, for reports.
 struct RunReport {
   // The `run` of one that an earlier start of the machine has left behind: it has no cycles.
@@ -40,6 +46,7 @@ struct RunReport {
   double ended_at = 0.0;
   double path_mm = 0.0;  // feed and rapid
   std::uint32_t lookahead_max_blocks = 0;
+  LostPeriods lost{};
   motion::Point end_W{};  // channel axis order
   motion::Point end_M{};
   int axis_count = 0;

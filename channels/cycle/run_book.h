@@ -19,8 +19,7 @@ enum class RunResult : std::uint8_t { succeeded, failed };
 class RunBook {
  public:
   // `reports` outlives the book.
-  RunBook(std::int32_t channel, int axis_count, ReportBook& reports)
-      : channel_(channel), axis_count_(axis_count), reports_(reports) {}
+  RunBook(std::int32_t channel, int axis_count, ReportBook& reports);
 
   // A new cycle.
   void begin_cycle(std::int64_t cycle) RT_SAFE { cycle_ = cycle; }
@@ -30,36 +29,32 @@ class RunBook {
   void end(RunResult result, std::uint64_t blocks, const motion::InterpolatorOutput& path) RT_SAFE;
   // An alarm: whatever comes, the run has not ended well.
   void spoil() RT_SAFE { result_ = RunResult::failed; }
+  // Periods of the clock that passed without a cycle; only a run under way counts them.
+  void note_lost_periods(std::int64_t periods) RT_SAFE;
   void note_reset() RT_SAFE { was_reset_ = true; }
   void name_program(const FileName& name) RT_SAFE { program_ = name; }
 
   [[nodiscard]] std::int64_t cycle() const RT_SAFE { return cycle_; }
-  [[nodiscard]] std::uint32_t run() const RT_SAFE { return run_; }
+  [[nodiscard]] std::uint32_t run() const RT_SAFE { return now_.run; }
   // How this run, or the one before it, ended.
   [[nodiscard]] bool ended_well(std::uint32_t run) const RT_SAFE;
   [[nodiscard]] bool was_reset() const RT_SAFE { return was_reset_; }  // since the latest run
-  [[nodiscard]] std::int64_t start_cycle() const RT_SAFE { return start_cycle_; }
+  [[nodiscard]] std::int64_t start_cycle() const RT_SAFE { return now_.start_cycle; }
   [[nodiscard]] std::int64_t end_cycle() const RT_SAFE { return end_cycle_; }
-  [[nodiscard]] std::uint64_t blocks() const RT_SAFE { return blocks_; }
+  [[nodiscard]] std::uint64_t blocks() const RT_SAFE { return now_.blocks; }
   // Empty until its first block is executed.
   [[nodiscard]] const FileName& program() const RT_SAFE { return program_; }
 
  private:
-  [[nodiscard]] RunRecord record(const motion::InterpolatorOutput& path) const RT_SAFE;
+  void report(const motion::InterpolatorOutput& path) RT_SAFE;
 
-  std::int32_t channel_;
-  int axis_count_;
   ReportBook& reports_;
   std::int64_t cycle_ = 0;
-  std::uint32_t run_ = 0;
+  RunRecord now_;  // of this run, or of the latest; run 0: there was none
   RunResult result_ = RunResult::succeeded;
   RunResult result_before_ = RunResult::succeeded;
   bool was_reset_ = false;
-  std::int64_t start_cycle_ = 0;
   std::int64_t end_cycle_ = 0;
-  double path_mm_ = 0.0;
-  std::uint32_t lookahead_max_ = 0;
-  std::uint64_t blocks_ = 0;
   FileName program_;
 };
 

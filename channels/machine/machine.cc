@@ -174,6 +174,7 @@ struct Machine::Parts {
   [[nodiscard]] Period pass_gap(const ClockGap& now) RT_SAFE {
     if (now.periods > 0) {
       inputs.note({.cycle = cycle, .content = Overrun{now.periods}});
+      for (const auto& seat : seats) seat->channel.runs.note_lost_periods(now.periods);
       gap = now;
     }
     if (gap.carried > 0) {

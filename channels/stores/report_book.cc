@@ -145,6 +145,7 @@ void ReportBook::drain_runs() {
     report.end_cycle = record.end_cycle;
     report.path_mm = record.path_mm;
     report.lookahead_max_blocks = record.lookahead_max_blocks;
+    report.lost = record.lost;
     report.end_W = record.end_W;
     report.end_M = record.end_M;
     report.axis_count = record.axis_count;

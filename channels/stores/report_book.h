@@ -32,6 +32,7 @@ struct RunRecord {
   std::int64_t end_cycle = 0;
   double path_mm = 0.0;
   std::uint32_t lookahead_max_blocks = 0;
+  LostPeriods lost{};
   motion::Point end_W{};
   motion::Point end_M{};
   std::int32_t axis_count = 0;

@@ -38,7 +38,7 @@ const std::vector<ListView>& list_views() {
       {"program.list", "programs", {"name", "bytes"}},
       {"program.history",
        "runs",
-       {"channel", "begun_at", "program", "blocks", "time_s", "path_mm", "end"}},
+       {"channel", "begun_at", "program", "blocks", "time_s", "path_mm", "lost_periods", "end"}},
       {"kinematics.list", "schemes", {"id", "type", "axes", "active", "file"}},
       {"kinematics.status", "axes", {"name", "takes_part", "enabled", "brake"}},
       {"drive.list",

@@ -87,7 +87,9 @@ json run_ended_record(const RunReport& run) {
           {"at", run.ended_at},
           {"end", run_outcome_name(run.end).value_or("stopped")},
           {"blocks", run.blocks},
-          {"path_mm", run.path_mm}};
+          {"path_mm", run.path_mm},
+          {"lost_periods", run.lost.total},
+          {"longest_gap", run.lost.longest}};
 }
 
 json alarm_record(const AlarmReport& alarm) {
@@ -161,6 +163,8 @@ RunReport JournalContents::report_of(const Key& key, const Run& run) {
   report.ok = report.end == RunOutcome::done;
   report.blocks = value_in(run.ended, "blocks", std::uint64_t{0});
   report.path_mm = value_in(run.ended, "path_mm", 0.0);
+  report.lost = {.total = value_in(run.ended, "lost_periods", std::int64_t{0}),
+                 .longest = value_in(run.ended, "longest_gap", std::int64_t{0})};
   return report;
 }
 

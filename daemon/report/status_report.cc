@@ -478,6 +478,8 @@ json StatusReport::program_history(int channel) const {
                     {"blocks", run.blocks},
                     {"time_s", time_s},
                     {"path_mm", run.path_mm},
+                    {"lost_periods", run.lost.total},
+                    {"longest_gap_ms", static_cast<double>(run.lost.longest) * cycle_s * 1e3},
                     {"ended", run.ended},
                     {"ok", run.ok}});
   }

@@ -162,7 +162,7 @@ constexpr auto program_rows = std::to_array<Method>({
      .result = R"({"runs":[{"channel":"integer","number":"integer","program":"string",
       "begun_cycle":"integer?","ended_cycle":"integer?","begun_at":"number?","ended_at":"number?","end":"string?",
       "blocks":"integer","time_s":"number","path_mm":"number",
-      "ended":"boolean","ok":"boolean"}],"forgotten?":"integer"})"},
+      "lost_periods":"integer","longest_gap_ms":"number","ended":"boolean","ok":"boolean"}],"forgotten?":"integer"})"},
     {.name = "program.search",
      .role = machine_operator,
      .effect = Effect::changes,

@@ -4,8 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <regex>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "tests/layering/repository.h"
 #include "tests/support/project_folders.h"
@@ -145,6 +152,50 @@ TEST(Layering, TheFoldersHaveNoCircle) {
   const Layers circle = reach_of_folders(
       {{"web/machine", {}}, {"gateway/cell", {"web/machine"}}, {"web/cell", {"gateway/cell"}}});
   EXPECT_TRUE(circle.at("web").contains("web"));
+}
+
+// The folders in which there is a source or header of this name, without its ending, by top folder.
+using Homes = std::map<std::pair<std::string, std::string>, std::set<std::filesystem::path>>;
+
+Homes homes_of(const std::vector<SourceFile>& files) {
+  Homes homes;
+  for (const SourceFile& file : files) {
+    const std::filesystem::path path = file.path;
+    homes[{file.folder, path.stem().string()}].insert(path.parent_path());
+  }
+  return homes;
+}
+
+// Where a test should lie that lies elsewhere. One that is named after no source of its folder,
+// such as that of a whole chain, lies where it fits.
+std::optional<std::filesystem::path> home_of_test(const Homes& homes,
+                                                  const std::filesystem::path& test) {
+  constexpr std::string_view ending = "_test";
+  const std::string stem = test.stem().string();
+  if (!stem.ends_with(ending)) return std::nullopt;
+  const std::filesystem::path folder = test.parent_path().lexically_relative("tests");
+  const auto known =
+      homes.find({folder.begin()->string(), stem.substr(0, stem.size() - ending.size())});
+  if (known == homes.end() || known->second.contains(folder)) return std::nullopt;
+  return "tests" / *known->second.begin();
+}
+
+TEST(Layering, ATestLiesInTheFolderOfItsSource) {
+  const std::vector<SourceFile> files = source_files(repository);
+  const Homes homes = homes_of(files);
+  for (const SourceFile& file : files) {
+    if (file.folder != "tests") continue;
+    const auto home = home_of_test(homes, file.path);
+    EXPECT_FALSE(home) << file.path << " belongs in " << *home;
+  }
+}
+
+TEST(Layering, AMisplacedTestIsFound) {
+  const Homes homes = homes_of({{"motion/path/pace.h", "motion", {}}});
+  EXPECT_EQ(home_of_test(homes, "tests/motion/pace_test.cc"), "tests/motion/path");
+  EXPECT_FALSE(home_of_test(homes, "tests/motion/path/pace_test.cc"));
+  EXPECT_FALSE(home_of_test(homes, "tests/lang/pace_test.cc"));
+  EXPECT_FALSE(home_of_test(homes, "tests/motion/chain_test.cc"));
 }
 
 // What asks a daemon over its socket may be built where no machine is known.

@@ -159,6 +159,10 @@ TEST(ClockGaps, ThePathGoesOnOverShortOnes) {
       EXPECT_EQ(now.cycle - before.cycle, now.period - before.period);
     }
     EXPECT_GT(gaps_in_motion, 20);
+    const std::vector<channels::RunReport> runs = late.by_chance().runs();
+    ASSERT_EQ(runs.size(), 1U);
+    EXPECT_GE(runs[0].lost.total, gaps_in_motion);
+    EXPECT_EQ(runs[0].lost.longest, 3);
     // The path is that of the clock in time, cycle by cycle of the motion.
     std::vector<std::vector<double>> wanted;
     for (const Computed& one : in_time.computed) {

@@ -65,6 +65,8 @@ class RecordedByChance {
     events_.push_back(event);
   }
 
+  [[nodiscard]] std::vector<channels::RunReport> runs() { return assembly_.machine().runs(); }
+
   void run(int cycles) {
     for (int n = 0; n < cycles; ++n) {
       const channels::CycleOutput& sent = cycle();

@@ -2,7 +2,7 @@
 import type { Result } from '../rpc/json_rpc';
 import type { TextKey } from '../text/catalogue';
 import { t } from '../text/text';
-import { dateAndTime, duration } from './format';
+import { dateAndTime, duration, fixed } from './format';
 import { store } from './machine.svelte';
 
 const ends: Record<string, TextKey> = {
@@ -26,6 +26,12 @@ export type Run = Result<'program.history'>['runs'][number] & {
 export function whenOf(at_s: number | null | undefined, cycle: number | null): string {
   if (at_s != null) return dateAndTime(at_s);
   return cycle === null ? '–' : duration((cycle * (store.machine?.cycle_us ?? 1000)) / 1e6);
+}
+
+/** Periods of the clock without a cycle during a run, with the longest gap where there was one. */
+export function lostPeriodsOf({ ended, lost_periods, longest_gap_ms }: Run): string {
+  if (!ended || lost_periods === undefined) return '–';
+  return lost_periods === 0 ? '0' : `${lost_periods} (${fixed(longest_gap_ms, 0)} ${t('unit.ms')})`;
 }
 
 /** In words, how a run ended, or that it has not. */

@@ -379,6 +379,9 @@ export const english = {
   'history.time': 'time',
   'history.blocks': 'blocks',
   'history.path': 'path',
+  'history.lost_periods': 'lost periods',
+  'history.lost_periods_text':
+    'Control cycles that the computer left out during the run, and the longest gap',
   'history.ok': 'done',
   'end.stopped': 'stopped by an operator',
   'end.reset': 'reset by an operator',
@@ -454,6 +457,7 @@ export const english = {
   'unit.w': 'W',
   'unit.us': 'µs',
   'unit.s': 's',
+  'unit.ms': 'ms',
   'unit.hz': 'Hz',
   'unit.n': 'N',
   'unit.um': 'µm',

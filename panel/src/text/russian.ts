@@ -377,6 +377,9 @@ export const russian: Record<keyof typeof english, string> = {
   'history.time': 'время',
   'history.blocks': 'кадры',
   'history.path': 'путь',
+  'history.lost_periods': 'потеряно тактов',
+  'history.lost_periods_text':
+    'Такты управления, пропущенные компьютером за время программы, и самый длинный перерыв',
   'history.ok': 'готово',
   'end.stopped': 'остановлен оператором',
   'end.reset': 'сброшен оператором',
@@ -451,6 +454,7 @@ export const russian: Record<keyof typeof english, string> = {
   'unit.w': 'Вт',
   'unit.us': 'мкс',
   'unit.s': 'с',
+  'unit.ms': 'мс',
   'unit.hz': 'Гц',
   'unit.n': 'Н',
   'unit.um': 'мкм',

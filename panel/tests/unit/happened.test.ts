@@ -3,7 +3,7 @@ import { beforeEach, expect, test, vi } from 'vitest';
 
 vi.stubGlobal('navigator', { language: 'en' });
 const { dateAndTime, duration } = await import('../../src/stores/format');
-const { endOf, whenOf } = await import('../../src/stores/happened');
+const { endOf, lostPeriodsOf, whenOf } = await import('../../src/stores/happened');
 const { store } = await import('../../src/stores/machine.svelte');
 const { spoken } = await import('../../src/stores/spoken.svelte');
 type Run = import('../../src/stores/happened').Run;
@@ -43,4 +43,11 @@ test.each([{}, { end: null }, { end: 'of a newer daemon' }])('without it: %j', (
   expect(endOf(run({ ...how, ok: true }))).toBe('done');
   expect(endOf(run(how))).toBe('not finished');
   expect(endOf(run({ ...how, ended: false }))).toBe('running');
+});
+
+test('a run says how many periods it lost, and the longest gap', () => {
+  expect(lostPeriodsOf(run({ lost_periods: 0, longest_gap_ms: 0 }))).toBe('0');
+  expect(lostPeriodsOf(run({ lost_periods: 12, longest_gap_ms: 4 }))).toBe('12 (4 ms)');
+  expect(lostPeriodsOf(run({ ended: false, lost_periods: 1, longest_gap_ms: 1 }))).toBe('–');
+  expect(lostPeriodsOf(run({}))).toBe('–');
 });

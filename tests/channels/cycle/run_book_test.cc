@@ -53,6 +53,22 @@ TEST_F(RunBookTest, TellsTheBeginAndTheEndOfARun) {
   EXPECT_EQ(ended.end_W[1], 8.0);
 }
 
+TEST_F(RunBookTest, CountsThePeriodsThatItLost) {
+  runs_.note_lost_periods(9);  // before the run
+  runs_.begin({});
+  runs_.note_lost_periods(2);
+  runs_.note_lost_periods(5);
+  runs_.note_lost_periods(1);
+  runs_.end(RunResult::succeeded, 0, {});
+  runs_.note_lost_periods(7);  // after it
+  EXPECT_EQ(record().lost.total, 8);
+  EXPECT_EQ(record().lost.longest, 5);
+  runs_.begin({});
+  runs_.end(RunResult::succeeded, 0, {});
+  EXPECT_EQ(record().lost.total, 0);
+  EXPECT_EQ(record().lost.longest, 0);
+}
+
 TEST_F(RunBookTest, KnowsHowThisRunAndTheOneBeforeEnded) {
   runs_.begin({});
   EXPECT_FALSE(runs_.ended_well(1));  // it has not ended yet

@@ -27,6 +27,7 @@ RunReport run(int channel, std::uint64_t number) {
   report.ended = true;
   report.end = RunOutcome::done;
   report.blocks = 17;
+  report.lost = {.total = 9, .longest = 4};
   return report;
 }
 
@@ -63,6 +64,8 @@ TEST(JournalContents, ARunThatNobodyHasEndedWasCutOffWhereItWasLast) {
   EXPECT_EQ(past.runs[0].end, RunOutcome::done);
   EXPECT_TRUE(past.runs[0].ok);
   EXPECT_EQ(past.runs[0].blocks, 17U);
+  EXPECT_EQ(past.runs[0].lost.total, 9);
+  EXPECT_EQ(past.runs[0].lost.longest, 4);
   EXPECT_TRUE(past.runs[1].ended);
   EXPECT_FALSE(past.runs[1].ok);
   contents.take(run_ended_record(cut[0].run));
