@@ -220,7 +220,7 @@ bool check_radii(ActiveBlock& block, const Point& p0, const Point& p1, const Poi
   const double r0 = std::hypot(p0[0] - c[0], p0[1] - c[1]);
   const double r1 = std::hypot(p1[0] - c[0], p1[1] - c[1]);
   if (r0 == 0.0) {
-    block.fail("E4033", code_word(code), "the arc starts in its own centre", "radius 0");
+    block.fail("E4033", code_word(code), "the arc starts at its own centre", "radius 0");
     return false;
   }
   if (std::abs(r1 - r0) <= radius_tolerance(block, std::max(r0, r1))) return true;

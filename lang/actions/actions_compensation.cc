@@ -107,7 +107,7 @@ void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
                                      "` is not allowed while radius compensation is active",
                                  "");
   if (active.before) fault.notes.push_back(block.modal.origin_of(Group::radius_compensation));
-  fault.help.push_back("switch it off with `G40` before");
+  fault.help.push_back("switch it off with `G40` first");
 }
 
 }  // namespace
@@ -150,8 +150,9 @@ void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
   // T beside G40: the contour ends, then the tool changes, then the move leads away.
   if (active.before && active.after && block.has('T') && block.channel.kind == ChannelKind::lathe) {
     block
-        .fail("E4141", {'T', -1, {}}, "the tool cannot change while radius compensation is active",
-              "T changes the tool at once")
+        .fail("E4141", {'T', -1, {}},
+              "the tool cannot be changed while radius compensation is active",
+              "T changes the tool immediately")
         .notes.push_back(block.modal.origin_of(Group::radius_compensation));
     block.faults.first->help.emplace_back("switch it off with `G40` before or in this block");
   }

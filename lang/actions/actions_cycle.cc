@@ -136,7 +136,7 @@ void take_shift(ActiveBlock& block, CodeNumber kind) {
   if (block.modal.plane() != Plane::xy) {
     block
         .fail("E4003", {block.has('I') ? 'I' : 'J', -1, {}},
-              "the way off the wall by I and J is in G17", "another plane")
+              "the retract from the wall by I and J needs plane G17", "another plane")
         .notes.push_back(block.modal.origin_of(Group::plane));
     return;
   }
@@ -207,13 +207,16 @@ void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
   } else if (bores_from_behind(kind) && cycle.retract_level > cycle.bottom) {
     block
         .fail("E4062", {block.has('R') ? 'R' : '\0', -1, {}},
-              name + " bores up from R to the bottom, so R lies below it", "above the bottom")
-        .help.emplace_back("R is where the tool gets its edge to the wall, behind the part");
+              name + " bores upwards from R to the bottom, so R must be below the bottom",
+              "above the bottom")
+        .help.emplace_back(
+            "R is the level below the part where the tool moves its edge to the wall");
   } else if (!bores_from_behind(kind) && cycle.retract_level < cycle.bottom) {
     block.fail("E4062", {block.has('R') ? 'R' : '\0', -1, {}},
-               "the level R lies below the bottom of the hole", "below the bottom");
+               "level R is below the bottom of the hole", "below the bottom");
   } else if (pecks(kind) && cycle.variable.first > 0.0 && cycle.variable.last <= 0.0) {
-    block.fail("E4063", code_word(code), name + " needs K, the smallest peck, beside I", "no K");
+    block.fail("E4063", code_word(code), name + " needs K, the smallest peck, in addition to I",
+               "no K");
   } else if (pecks(kind) && cycle.peck <= 0.0 && cycle.variable.first <= 0.0) {
     block.fail("E4063", code_word(code), name + " needs a positive Q, the depth of a peck", "no Q");
   } else if (needs_dwell(kind) && cycle.dwell_s < 0.0 && !block.words.rules.is_fanuc()) {
@@ -224,9 +227,9 @@ void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
                "no Q");
   } else if (needs_turning_spindle(kind) && !block.modal.spindles.any_runs) {
     block.fail("E4064", code_word(code), name + " needs a spindle that turns",
-               "no M3 or M4 before");
+               "no M3 or M4 before this");
   } else if (block.modal.feed_mode() == FeedMode::inverse_time) {
-    block.fail("E4065", code_word(code), "drilling cycles have no inverse time feed", "")
+    block.fail("E4065", code_word(code), "drilling cycles cannot use inverse time feed", "")
         .notes.push_back(block.modal.origin_of(Group::feed_mode));
   }
 }
@@ -240,7 +243,7 @@ std::optional<double> moves_of(ActiveBlock& block, CodeNumber code) {
       cycle.variable.first > 0.0 ? std::min(cycle.variable.first, cycle.variable.last) : cycle.peck;
   const double moves = pecks(code) ? 5.0 * std::ceil(depth / peck) + 4.0 : moves_of_hole;
   if (moves > moves_max) {
-    block.fail("E4063", {block.has('Q') ? 'Q' : '\0', -1, {}}, "Q makes too many pecks",
+    block.fail("E4063", {block.has('Q') ? 'Q' : '\0', -1, {}}, "Q results in too many pecks",
                "too small");
     return std::nullopt;
   }
@@ -269,7 +272,7 @@ bool uses_its_words(ActiveBlock& block, CodeNumber code) {
   const bool peck_by_k = block.words.rules.is_haas() && pecks(code);
   if (block.has('K') && !taps(code) && code != g(76) && !counts_repeats(block) && !peck_by_k) {
     block.fail("E4003", {'K', -1, {}}, "nothing in this block uses `K`", "unused word")
-        .help.emplace_back("repeats are `L`; K counts them in the dialect fanuc");
+        .help.emplace_back("give the number of repeats with `L`; only the dialect fanuc uses K");
     return false;
   }
   if (code != g(76)) return true;
@@ -397,7 +400,7 @@ std::optional<HolePattern> read_pattern(ActiveBlock& block, CodeNumber code) {
   HolePattern pattern;
   pattern.code = code;
   if (!block.has('I') || block.value('I') <= 0.0) {
-    return refuse('I', line ? "I, the way from hole to hole, above zero"
+    return refuse('I', line ? "I, the distance from hole to hole, above zero"
                             : "I, the radius of the circle, above zero");
   }
   if (!block.has('L')) return refuse('L', "L, the number of holes");
@@ -452,8 +455,8 @@ void drill_pattern(ActiveBlock& block, CodeNumber code) {
   if (!is_cycle(block, cycle_code)) {
     block
         .fail("E4061", code_word(code),
-              "`" + code_text('G', code) + "` needs a drilling cycle that is active", "no cycle")
-        .help.emplace_back("write the cycle before, with L0: e.g. `G81 Z-10 R2 F100 L0`");
+              "`" + code_text('G', code) + "` needs an active drilling cycle", "no cycle")
+        .help.emplace_back("program the cycle first, with L0, e.g. `G81 Z-10 R2 F100 L0`");
     return;
   }
   const auto axis = tool_axis(block, code);

@@ -47,8 +47,8 @@ std::optional<int> offset_row(ActiveBlock& block, OffsetTable table) {
   if (*number == 0) {
     block
         .fail("E5001", {'P', -1, {}}, "there is no external work offset",
-              "P0 is the one of all systems there")
-        .help.emplace_back("write the offsets themselves, `P1` is G54");
+              "on Fanuc controls P0 is the external work offset")
+        .help.emplace_back("write each work offset itself; `P1` is G54");
     return std::nullopt;
   }
   const int row = (additional ? page_of_g54_1 : page_of_g54) + *number - 1;
@@ -77,7 +77,7 @@ void write_fanuc_offset(ActiveBlock& block, OffsetTable table) {
 bool refuse_increments(ActiveBlock& block) {
   if (block.modal.code(Group::distance) != g(91)) return false;
   block.fail("E4016", code_g10, "`G10` cannot add to the values of a tool", "increments")
-      .help.emplace_back("write the value itself, with `G90`");
+      .help.emplace_back("write the absolute value with `G90`");
   return true;
 }
 
@@ -88,7 +88,7 @@ constexpr std::array<std::string_view, 4> mill_values{"length", "wear_length", "
 void write_mill_tool(ActiveBlock& block, std::string_view value) {
   if (refuse_unused(block, letters_of("R")) || refuse_increments(block)) return;
   if (block.programmed != 0) {
-    block.fail("E4003", code_g10, "this `G10` takes its value from R, no axis words",
+    block.fail("E4003", code_g10, "this `G10` takes its value from R, not from axis words",
                "unused axis word");
     return;
   }

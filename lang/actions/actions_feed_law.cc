@@ -97,7 +97,7 @@ LawSurroundings law_surroundings(const ActiveBlock& block) {
 bool allows_feed_law(ActiveBlock& block, const WordName& word) {
   if (block.modal.feed_mode() != FeedMode::inverse_time) return true;
   BlockFault& fault = block.fail(
-      "E4334", word, "a feed law is not possible while the feed is an inverse time", "not in G93");
+      "E4334", word, "a feed law is not possible while inverse time feed is active", "not in G93");
   fault.notes.push_back(block.modal.origin_of(Group::feed_mode));
   fault.help.emplace_back("program `G94` or `G95` before or in this block");
   return false;
@@ -108,11 +108,11 @@ bool spindle_takes_law(ActiveBlock& block, const WordName& word, const std::stri
   if (block.modal.code(Group::spindle_mode) == g(96)) {
     BlockFault& fault = block.fail(
         "E4344", word, what + " is not possible while G96 holds the cutting speed constant",
-        "both give the speed");
+        "both set the speed");
     fault.notes.push_back(block.modal.origin_of(Group::spindle_mode));
-    fault.help.emplace_back("program `G97` before");
+    fault.help.emplace_back("program `G97` first");
   } else if (!spindle_turns(block, 0)) {
-    block.fail("E4343", word, what + " needs a spindle that turns", "no M3 or M4 before")
+    block.fail("E4343", word, what + " needs a spindle that turns", "no M3 or M4 before this")
         .help.emplace_back("program S and `M3` or `M4` before or in this block");
   }
   return !block.failed();

@@ -123,11 +123,10 @@ void carry_work_offset(ActiveBlock& block, CodeNumber code) {
   if (*page != 0 && block.words.rules.is_fanuc()) {
     block
         .fail("E4016", {'P', -1, {}}, "`G54.2 P` of Fanuc controls takes a table of fixtures",
-              "another table there")
+              "a different table there")
         .help.emplace_back(
-            "write what the table says into a work offset, and let that be carried in a text of "
-            "the "
-            "dialect stanok: there P is the work offset");
+            "write the values of that table into a work offset; in a program of the dialect "
+            "stanok, P is the work offset that the table carries");
     return;
   }
   FrameSettings& frames = block.modal.frames;
@@ -141,10 +140,10 @@ void carry_work_offset(ActiveBlock& block, CodeNumber code) {
   if (*page != 0 && !block.tables.carried_by_table(*offset, *offset)) {
     block
         .fail("E4353", code_word(code),
-              "`G54.2` has no rotary table to carry the work offset: the kinematic scheme has none",
+              "`G54.2` needs a rotary table to carry the work offset, but the kinematic scheme has "
+              "none",
               "no such table")
-        .help.emplace_back(
-            "load a scheme of the types head_table or table_table with `#kinematics`");
+        .help.emplace_back("select a scheme of type head_table or table_table with `#kinematics`");
     return;
   }
   const WorkFrame before = block.modal.frame();
@@ -182,12 +181,12 @@ std::optional<SetUpError> set_up_error_of(ActiveBlock& block) {
     if (block.value('P') == 0.0 && !says_error) return error;
     block.fail("E4016", {'P', -1, {}}, "`G54.4` has no table of set-up errors", "only P0 is known")
         .help.emplace_back(
-            "write the error itself: the shift as X Y Z, the turns about them as I J K, e.g. "
-            "`G54.4 X0.2 I0.5`");
+            "write the error itself: the shift as X Y Z, the rotations about these axes as I J K, "
+            "e.g. `G54.4 X0.2 I0.5`");
     return std::nullopt;
   }
   if (!says_error) {
-    block.fail("E4007", word, "`G54.4` needs the set-up error, or P0", "no shift and no turn");
+    block.fail("E4007", word, "`G54.4` needs the set-up error, or P0", "no shift and no rotation");
     return std::nullopt;
   }
   std::array<double, 3> shift{};

@@ -123,7 +123,7 @@ void check_pecking(ActiveBlock& block, CodeNumber code, const Pecking& pecking) 
   const double pecks = steps_of(pecking.start.along, pecking.end.along, pecking.peck);
   const double grooves = 1.0 + steps_of(pecking.start.across, pecking.end.across, pecking.step);
   if (pecks * grooves * 2.0 > peck_moves_max)
-    block.fail("E4063", code_word(code), "P and Q make too many pecks", "too small");
+    block.fail("E4063", code_word(code), "P and Q result in too many pecks", "too small");
 }
 
 }  // namespace
@@ -141,7 +141,7 @@ void peck_groove(ActiveBlock& block, CodeNumber code) {
   const bool only_settings = block.programmed == 0 && block.has('R');
   if (only_settings) {
     back = block.length('R');
-    if (back < 0.0) block.fail("E4008", {'R', -1, {}}, "the way back must not be negative", "");
+    if (back < 0.0) block.fail("E4008", {'R', -1, {}}, "the retract must not be negative", "");
     return;
   }
   Pecking pecking;

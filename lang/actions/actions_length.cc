@@ -125,8 +125,8 @@ std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRota
       .first = first,
       .purpose = "align the tool with the plane, whose normal is",
       .said_by = Group::rotation,
-      .remedy = forced ? "leave P out, or clamp the workpiece otherwise"
-                       : "clamp the workpiece otherwise, or divide the work on the plane"};
+      .remedy = forced ? "leave P out, or clamp the workpiece differently"
+                       : "clamp the workpiece differently, or machine the plane in several parts"};
   wish.tool_B = components(plane_B.turned(Vector3<double>{0.0, 0.0, 1.0}));
   const auto found = reachable_angles(block, wish);
   if (!found) return std::nullopt;
@@ -181,7 +181,7 @@ void align_tool(ActiveBlock& block, CodeNumber code) {
     block
         .fail("E4350", {'G', code, {}}, "`" + code_text('G', code) + "` needs a tilted plane",
               "no plane")
-        .help.emplace_back("program the plane with `G68.2` before");
+        .help.emplace_back("program the plane with `G68.2` first");
     return;
   }
   if (excluded_by_mode(
@@ -220,7 +220,8 @@ void compensate_length(ActiveBlock& block, CodeNumber code) {
   if (code == g(49)) return change_length_of_block(block, ToolLength{});
   if (code == g(43, 1)) return set_by_axis_words(block);
   if (code == g(43, 2) && !block.has('H')) {
-    block.fail("E4007", {'G', g(43, 2), {}}, "`G43.2` needs H, the tool to be added", "no H");
+    block.fail("E4007", {'G', g(43, 2), {}}, "`G43.2` needs H, the tool whose length is added",
+               "no H");
     return;
   }
   const auto source = length_source(block);

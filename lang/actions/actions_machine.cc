@@ -97,8 +97,8 @@ void take_tool(ActiveBlock& block, CodeNumber) {
     block
         .fail("E5021", {'T', -1, {}}, "the tool table has no tool " + std::to_string(word.tool),
               "unknown tool")
-        .help.push_back("enter it: `stanok tool set " + std::to_string(word.tool) +
-                        " length 100`, or [[tool]] of the tables file");
+        .help.push_back("enter it with `stanok tool set " + std::to_string(word.tool) +
+                        " length 100`, or as a [[tool]] in the tables file");
     return;
   }
   if (word.tool != 0 && word.edge > 1 && !block.tables.tool_edge(word.tool, word.edge)) {
@@ -108,7 +108,7 @@ void take_tool(ActiveBlock& block, CodeNumber) {
               "unknown edge")
         .help.push_back(
             "the last two digits are the edge: edge 1 is `T" + tool +
-            "01`; with t_format = \"tool_offset\" of the machine file they are an offset");
+            "01`; with t_format = \"tool_offset\" in the machine file they are an offset");
     return;
   }
   if (word.offset > 0 && !block.tables.tool(word.offset)) {
@@ -198,7 +198,7 @@ void dwell(ActiveBlock& block, CodeNumber) {
     const double speed = speed_of_spindle(block, *spindle);
     if (speed <= 0.0) {
       block.fail("E4052", {'S', -1, {}}, "a dwell in revolutions needs a spindle speed",
-                 "the spindle stands");
+                 "the spindle is stopped");
       return;
     }
     seconds *= 60.0 / speed;
@@ -252,8 +252,8 @@ void end_program(ActiveBlock& block, CodeNumber code) {
 
 void call_program(ActiveBlock& block, CodeNumber code) {
   if (!block.has('P')) {
-    block.fail("E4007", {'M', code, {}},
-               "`" + code_text('M', code) + "` needs the number of a program", "no P");
+    block.fail("E4007", {'M', code, {}}, "`" + code_text('M', code) + "` needs a program number",
+               "no P");
     return;
   }
   block.flow.kind = Flow::call_numbered;
@@ -263,7 +263,7 @@ void call_program(ActiveBlock& block, CodeNumber code) {
 // M97 P100 L2: N100 of this program up to M99, as on Haas controls.
 void call_block(ActiveBlock& block, CodeNumber code) {
   if (!block.has('P')) {
-    block.fail("E4007", {'M', code, {}}, "`M97` needs the number of a block", "no P");
+    block.fail("E4007", {'M', code, {}}, "`M97` needs a block number", "no P");
     return;
   }
   const auto number = block.integer('P', 0, 99999999);

@@ -27,7 +27,7 @@ void check_machine_coordinates(ActiveBlock& block, CodeNumber code) {
     fault.notes.push_back(mode->set_by);
     fault.help.emplace_back(mode->remedy);
   } else if (code > g(1)) {
-    block.fail("E4041", word, "`G53` works with G0 and G1 only", "");
+    block.fail("E4041", word, "`G53` works only with G0 and G1", "");
   } else if (block.modal.incremental() || block.incremental != 0) {
     block.fail("E4042", word, "`G53` needs absolute programming (G90)", "")
         .notes.push_back(block.modal.origin_of(Group::distance));
@@ -59,7 +59,7 @@ std::vector<TurnedPart> turn_to_vector(ActiveBlock& block, Move& move) {
                        .name = "a tool vector under `G43.5`",
                        .purpose = "turn the tool to",
                        .said_by = Group::length,
-                       .remedy = "clamp the workpiece otherwise, or lean the tool less",
+                       .remedy = "clamp the workpiece differently, or tilt the tool less",
                        .end = "this tool vector"};
   wish.tool_B = components(frame_B.turned(vector3(*direction)));
   const bool turns_evenly = move.kind == MoveKind::rapid || block.end.corner.wanted() ||
@@ -75,7 +75,7 @@ std::vector<TurnedPart> turn_to_vector(ActiveBlock& block, Move& move) {
   if ((block.programmed & end.axes) != 0) {
     block
         .fail("E4355", {letter, -1, {}},
-              "the angles of the rotary axes follow from the tool vector", "and a rotary axis")
+              "the angles of the rotary axes follow from the tool vector", "a rotary axis as well")
         .help.emplace_back("leave the words of the rotary axes out");
     return {};
   }
@@ -98,7 +98,7 @@ std::vector<TurnedPart> turn_to_angles(ActiveBlock& block, Move& move) {
                        .tool_B = block.tables.spindle_axes(end_B)[2],
                        .purpose = "turn the tool to",
                        .said_by = Group::length,
-                       .remedy = "let the axes move evenly with `#orientation (axis)`",
+                       .remedy = "interpolate the axes instead with `#orientation (axis)`",
                        .end = "these angles"};
   auto parts = great_circle(block, wish, end_B);
   if (!parts) return {};

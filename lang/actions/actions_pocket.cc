@@ -138,8 +138,8 @@ bool find_radii(ActiveBlock& block, CodeNumber code, Pocket& pocket) {
   const double step = block.has('Q') ? gain * block.length('Q') : 0.0;
   if (first <= 0.0) return refuse('I', "I, the radius of the first circle, above zero");
   if (last < first) return refuse('K', "K, the radius of the last circle, of at least I");
-  if (last > first && step <= 0.0) return refuse('Q', "Q, the way from circle to circle");
-  if (block.has('Q') && !block.has('K')) return refuse('K', "K beside Q, the last radius");
+  if (last > first && step <= 0.0) return refuse('Q', "Q, the step from circle to circle");
+  if (block.has('Q') && !block.has('K')) return refuse('K', "K with Q, the last radius");
   if (first <= tool->radius_mm) return refuse('I', "a circle that is larger than the tool");
   if (step > 0.0 && (last - first) / step > circles_max) return refuse('Q', "a larger step Q");
   for (int n = 0; first + n * step < last - coordinate_noise; ++n)
@@ -157,8 +157,8 @@ bool find_levels(ActiveBlock& block, CodeNumber code, Pocket& pocket) {
   const auto count = block.has('L') ? block.integer('L', 1, 9999) : 1;
   if (!count) return false;
   if (*count > 1 && !block.modal.incremental()) {
-    block.fail("E4016", {'L', -1, {}}, "levels of a pocket are counted from the position",
-               "needs `G91`");
+    block.fail("E4016", {'L', -1, {}},
+               "the levels of a pocket are measured from the current position", "needs `G91`");
     return false;
   }
   if (*count * static_cast<double>(pocket.radii_mm.size()) > circles_max) {
@@ -225,7 +225,7 @@ bool has_its_words(ActiveBlock& block, CodeNumber code, const PocketAxes& axes) 
   if (!only_axes(block, code, static_cast<AxisSet>(axes.plane() | axis_bit(axes.depth))))
     return false;
   if (!need('P', "P, the subprogram of its outline") ||
-      !need('R', "R, the level from which the tool comes down") ||
+      !need('R', "R, the level from which the tool plunges") ||
       !need('Q', "Q, the depth of a level, above zero"))
     return false;
   if (!is_programmed(block, axes.depth)) {
@@ -234,11 +234,12 @@ bool has_its_words(ActiveBlock& block, CodeNumber code, const PocketAxes& axes) 
   }
   if (block.has('I') == block.has('J')) {
     block.fail("E4007", {'G', code, {}},
-               "`G150` needs either I or J, the way between the lines of the tool", "");
+               "`G150` needs either I or J, the step between the passes of the tool", "");
     return false;
   }
-  if (block.has('K') && block.value('K') < 0.0) return need('K', "K, what stays at the walls");
-  return need(block.has('I') ? 'I' : 'J', "the way between the lines of the tool above zero");
+  if (block.has('K') && block.value('K') < 0.0)
+    return need('K', "K, the allowance that remains at the walls");
+  return need(block.has('I') ? 'I' : 'J', "a step between the passes above zero");
 }
 
 // The side on which the pocket lies, and the tool: what G41 or G42 of the block selected, which is
@@ -252,11 +253,10 @@ std::optional<RadiusCompensation> take_compensation(ActiveBlock& block, CodeNumb
       .fail("E4007", {'G', code, {}},
             selected.on() ? "`G150` needs a tool with a radius"
                           : "`G150` needs G41 or G42 in its block, the side of the outline on "
-                            "which the pocket lies",
+                            "which the pocket is",
             selected.on() ? "radius 0" : "no side")
       .help.emplace_back(
-          "write `G41 D1` into the block: left of an outline that runs "
-          "counter-clockwise lies its inside");
+          "write `G41 D1` in the block; the inside of a counter-clockwise outline is on its left");
   return std::nullopt;
 }
 
@@ -266,11 +266,11 @@ std::optional<PocketLevels> find_levels(ActiveBlock& block, const PocketAxes& ax
   const double step = std::abs(block.modal.map.gain(axes.depth)) * block.length('Q');
   const double depth = levels.above - bottom;
   if (!(depth > 0.0)) {
-    block.fail("E4062", {'R', -1, {}}, "`R` of `G150` lies not above the bottom of the pocket", "");
+    block.fail("E4062", {'R', -1, {}}, "`R` of `G150` is not above the bottom of the pocket", "");
     return std::nullopt;
   }
   if (depth / step > pocket_levels_max) {
-    block.fail("E4063", {'Q', -1, {}}, "`Q` makes too many levels", "too small");
+    block.fail("E4063", {'Q', -1, {}}, "`Q` results in too many levels", "too small");
     return std::nullopt;
   }
   for (int n = 1; n * step < depth - level_noise_mm; ++n)
@@ -307,8 +307,8 @@ std::vector<OutlineElement> outline_of(ActiveBlock& block, CodeNumber code, cons
     const std::string line = std::to_string(command.origin.line);
     if (!element || (move->words & ~axes.plane()) != 0) {
       refuse(block, code,
-             "only lines and arcs in the plane may be in its outline, see line " + line,
-             "take other moves out of the subprogram");
+             "its outline may contain only lines and arcs in the plane, see line " + line,
+             "remove other moves from the subprogram");
       return {};
     }
     at = element->end;
@@ -318,15 +318,15 @@ std::vector<OutlineElement> outline_of(ActiveBlock& block, CodeNumber code, cons
   }
   if (outline.empty()) {
     refuse(block, code, "the subprogram has no outline",
-           "its first move leads from the start point to the outline, the others are the outline");
+           "its first move leads from the start point to the outline; the others are the outline");
   } else if (outline.size() > outline_elements_max) {
     refuse(block, code,
            "its outline has more than " + std::to_string(outline_elements_max) + " elements",
-           "divide the pocket");
+           "split the pocket");
   } else if (const double gap = norm(outline.back().element.end - outline.front().element.start);
              gap > closed_within_mm) {
-    refuse(block, code, "its outline is open, by " + std::to_string(gap) + " mm",
-           "end where the first move of the subprogram ends");
+    refuse(block, code, "its outline is open by " + std::to_string(gap) + " mm",
+           "end it where the first move of the subprogram ends");
   }
   return outline;
 }
@@ -418,8 +418,8 @@ void mill(ActiveBlock& block, CodeNumber code, const PocketAxes& axes, const Poc
   double moves = 0.0;
   for (const PocketWay& way : plan.level) moves += static_cast<double>(way.size());
   if (moves * static_cast<double>(levels.depths.size()) > pocket_moves_max) {
-    block.fail("E4063", {'G', code, {}}, "the pocket makes too many moves", "too many")
-        .help.emplace_back("take larger levels Q or lines farther apart");
+    block.fail("E4063", {'G', code, {}}, "the pocket needs too many moves", "too many")
+        .help.emplace_back("use deeper levels Q or a larger step between the passes");
     return;
   }
   ContourPocketMoves tool(block, axes, levels.above);
@@ -470,7 +470,7 @@ void mill_contour_pocket(ActiveBlock& block, CodeNumber code) {
   const Contour contour = block.contours->subprogram(*number);
   if (!contour.problem.empty()) {
     refuse(block, code, contour.problem,
-           "the outline is the subprogram N or O of the number P, of plain blocks up to M99");
+           "the outline is the subprogram with N or O and the number P: plain blocks up to M99");
     return;
   }
   ModalState modal = block.modal;
@@ -490,8 +490,9 @@ void mill_contour_pocket(ActiveBlock& block, CodeNumber code) {
   wish.step_mm = gain * block.length(block.has('I') ? 'I' : 'J');
   wish.lines = block.has('J') ? ScanLines::along_first : ScanLines::along_second;
   if (wish.step_mm > 2.0 * wish.radius_mm) {
-    refuse(block, code, "its lines are farther apart than the tool is wide, material would stay",
-           "take at most the diameter of the tool for I or J");
+    refuse(block, code,
+           "its passes are farther apart than the tool is wide, so material would remain",
+           "use at most the diameter of the tool for I or J");
     return;
   }
   auto plan = plan_pocket(wish);

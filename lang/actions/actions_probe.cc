@@ -54,7 +54,7 @@ std::optional<std::size_t> measured_axis(ActiveBlock& block) {
   if (!only_axes(block, g(37), measured_axes(block))) return std::nullopt;
   if (std::popcount(block.programmed) != 1) {
     block.fail("E4016", code_g37, "`G37` measures along one axis", "two axes")
-        .help.emplace_back("measure along the other one with a `G37` of its own");
+        .help.emplace_back("measure along the other axis with a separate `G37`");
     return std::nullopt;
   }
   return is_programmed(block, block.modal.geometry[2]) ? 2U : 0U;
@@ -69,8 +69,8 @@ bool has_offset(ActiveBlock& block) {
       block.fail("E4325", code_g37, "there is no tool offset for `G37` to correct", "no offset");
   fault.notes.push_back(block.modal.origin_of(Group::length));
   fault.help.emplace_back(block.channel.kind == ChannelKind::lathe
-                              ? "call the tool with its offset before, e.g. `T0101`"
-                              : "program `G43` with H before, e.g. `G43 H1`");
+                              ? "call the tool with its offset first, e.g. `T0101`"
+                              : "program `G43` with H first, e.g. `G43 H1`");
   return false;
 }
 
@@ -81,7 +81,7 @@ void go_and_touch(ActiveBlock& block, AxisIndex axis) {
   const double place = move.end[axis];
   const double way = place - block.modal.position_W[axis];
   if (std::abs(way) < measuring.within_mm) {
-    block.fail("E4321", code_g37, "`G37` begins where the tool could touch already",
+    block.fail("E4321", code_g37, "`G37` begins so close that the tool could already touch",
                "begin farther away");
     return;
   }
@@ -117,8 +117,9 @@ void correct_wear(ActiveBlock& block, std::size_t geometry) {
   if (std::abs(error) > within) {
     block.fail("E4324", code_g37,
                "the tool touched " + law_number_text(std::abs(error)) +
-                   " mm from the place of `G37`; the most is " + law_number_text(within) + " mm",
-               "nothing is written");
+                   " mm from the position of `G37`; the limit is " + law_number_text(within) +
+                   " mm",
+               "the offset was not changed");
     return;
   }
   const ModalTool& tool = block.modal.tool;
@@ -166,7 +167,7 @@ void probe(ActiveBlock& block, CodeNumber code) {
     if (code == g(31) && block.words.rules.is_fanuc())
       return go_without_probing(block, move.line, travel);
     block.fail("E4321", {'G', code, {}}, "a probing move needs a length",
-               "the end is where the axes stand");
+               "the end is the current position");
     return;
   }
   resolve_feed(block, move.line);
@@ -192,11 +193,12 @@ void check_skip(ActiveBlock& block, CodeNumber code) {
   if (block.probe.rehearsed || block.probe.found == wanted) return;
   const WordName word = {'M', code, {}};
   if (wanted) {
-    block.fail("E4320", word, "the probe touched nothing", "alarm when the skip found nothing");
+    block.fail("E4320", word, "the probe touched nothing",
+               "alarm if the skip signal was not found");
   } else {
     block
-        .fail("E4324", word, "the probe touched where nothing should be",
-              "alarm when the skip found something")
+        .fail("E4324", word, "the probe touched something where nothing should be",
+              "alarm if the skip signal was found")
         .help.emplace_back("check what is in the way, and the length of the probe");
   }
 }
@@ -213,7 +215,7 @@ void measure_tool_length(ActiveBlock& block, CodeNumber code) {
   if (!geometry || !has_offset(block)) return;
   if (block.done.parts == 1) return correct_wear(block, *geometry);
   if (block.modal.incremental()) {
-    block.fail("E4016", code_g37, "`G37` needs the place itself, no increment", "G91 is active")
+    block.fail("E4016", code_g37, "`G37` needs an absolute position", "G91 is active")
         .notes.push_back(block.modal.origin_of(Group::distance));
     return;
   }

@@ -149,15 +149,14 @@ std::optional<EulerAngles> angles_of(ActiveBlock& block, CodeNumber code, int fo
     if (!plane) {
       block.fail("E4008", {'Q', -1, {}},
                  "Q of " + plane_code(code) +
-                     " P1 is the order of the turns about X (1), Y (2) and "
-                     "Z (3), each once",
+                     " P1 is the order of the rotations about X (1), Y (2) and Z (3), each once",
                  "no such order");
     }
     return plane;
   }
   const auto plane = projected(angles_deg);
   if (!plane) {
-    fail_direction(block, code, "its two lines point the same way",
+    fail_direction(block, code, "its two lines are parallel",
                    "give projected angles I and J of less than 90 deg");
   }
   return plane;
@@ -189,10 +188,11 @@ std::optional<TiltedPlane> defined_plane(ActiveBlock& block, CodeNumber code, in
   const auto angles = by_points ? through_points({value(0), value(1), value(2)})
                                 : along_vectors(value(0), value(1));
   if (!angles && by_points) {
-    fail_direction(block, code, "its three points lie on a line", "choose points that do not");
+    fail_direction(block, code, "its three points are on one line",
+                   "choose points that are not on one line");
   } else if (!angles) {
-    fail_direction(block, code, "its vectors are not square to each other",
-                   "give X (Q1) and Z (Q2) of the plane, square to each other within 5 deg");
+    fail_direction(block, code, "its vectors are not perpendicular",
+                   "give X (Q1) and Z (Q2) of the plane, perpendicular within 5 deg");
   }
   if (!angles) return std::nullopt;
   TiltedPlane plane;
@@ -238,9 +238,8 @@ bool may_tilt(ActiveBlock& block, CodeNumber code) {
     return false;
   }
   if (code == g(68, 4) && !block.modal.frames.plane.is_on) {
-    block
-        .fail("E4350", {'G', code, {}}, "`G68.4` needs a tilted plane on which it lies", "no plane")
-        .help.emplace_back("program the first plane with `G68.2`");
+    block.fail("E4350", {'G', code, {}}, "`G68.4` needs an active tilted plane", "no plane")
+        .help.emplace_back("program a plane with `G68.2` first");
     return false;
   }
   return only_axes(block, code, geometry);
@@ -257,7 +256,8 @@ void fail_open_plane(ActiveBlock& block, const WordName& word) {
   }
   const std::string form = std::to_string(definition.form);
   block
-      .fail("E4352", word, "the tilted plane that `G68.2 P" + form + "` began lacks " + missing,
+      .fail("E4352", word,
+            "the tilted plane that `G68.2 P" + form + "` began still lacks " + missing,
             "not complete")
       .help.push_back("write the blocks `G68.2 P" + form + " Q..` one after the other");
 }

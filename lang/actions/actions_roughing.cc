@@ -38,7 +38,7 @@ void refuse_words(ActiveBlock& block, std::string_view refused) {
   std::vector<std::string> help;
   if (block.channel.kind != ChannelKind::lathe) {
     help.emplace_back(
-        "on a mill G70 and G71 are inch and millimetre; the contour cycles exist on lathe "
+        "on a mill G70 and G71 are inch and millimetre; the contour cycles exist only on lathe "
         "channels");
   }
   for (const char letter : refused) {
@@ -136,7 +136,8 @@ void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour
                         turned.problem() + ", see line " + std::to_string(turned.problem_line()));
   }
   if (turned.deepest() / settings.depth > levels_max) {
-    block.fail("E4063", {'G', code, {}}, "the depth of cut makes too many passes", "too small");
+    block.fail("E4063", {'G', code, {}}, "the depth of cut results in too many passes",
+               "too small");
     return;
   }
   Roughing roughing(moves, turned, settings);
@@ -184,7 +185,7 @@ void repeat_pattern(ActiveBlock& block, CodeNumber code, CycleMoves& moves,
   const std::vector<PlaneMove> list = moves_of(block, code, contour);
   if (block.failed()) return;
   if (static_cast<double>(list.size()) * settings.passes > levels_max) {
-    block.fail("E4063", {'G', code, {}}, "R makes too many passes", "too many");
+    block.fail("E4063", {'G', code, {}}, "R results in too many passes", "too many");
     return;
   }
   const TurningPoint allowance = allowance_of(block);
@@ -204,7 +205,7 @@ void repeat_contour(ActiveBlock& block, CodeNumber code) {
   if (!moves) return;
   const bool in_one_line = block.words.rules.is_haas() && block.has('D');
   if (block.programmed != 0 || (block.has('K') && !in_one_line) || block.has('L')) {
-    block.fail("E4003", {'G', code, {}}, "pattern repeating has no axis words, K and L",
+    block.fail("E4003", {'G', code, {}}, "pattern repeating does not use axis words, K and L",
                "unused word");
     return;
   }
@@ -213,8 +214,10 @@ void repeat_contour(ActiveBlock& block, CodeNumber code) {
   refuse_words(block, "R");
   if (block.failed()) return;
   if (block.modal.cycles.repeating.passes == 0) {
-    block.fail("E4007", {'G', code, {}}, "no number of passes is known", "no block with it before")
-        .help.emplace_back("write a block `G73 U8 W2 R5` before");
+    block
+        .fail("E4007", {'G', code, {}}, "the number of passes is not known",
+              "no earlier block gives it")
+        .help.emplace_back("program a block `G73 U8 W2 R5` first");
     return;
   }
   const auto contour = find_contour(block, code);
@@ -295,7 +298,8 @@ class Profile {
     moves_ = plane_moves(block_, code_, made_);
     for (PlaneMove& move : moves_) move.rapid = false;
     if (!block_.failed() && moves_.size() < 2)
-      fail_contour(block_, code_, "its first block leads to the profile, and another must follow");
+      fail_contour(block_, code_,
+                   "its first block leads to the profile, and another one must follow");
     return !block_.failed();
   }
 
@@ -332,7 +336,7 @@ class Profile {
     take_ready();
     if (fault) {
       fail_contour(block_, code_,
-                   "it has no parallel at that distance, see line " +
+                   "it has no parallel contour at that distance, see line " +
                        std::to_string(fault->origin.line) + ": " + fault->fault.message);
       return {};
     }
@@ -368,7 +372,7 @@ TurningPoint go_to_start(CycleMoves& moves) {
 void fail_start(ActiveBlock& block, CodeNumber code) {
   fail_contour(
       block, code,
-      "the tool stands beside the profile; give a start point X Z that is beyond all of it");
+      "the tool starts beside the profile; give a start point X Z beyond the whole profile");
 }
 
 }  // namespace
@@ -389,9 +393,11 @@ void rough_contour(ActiveBlock& block, CodeNumber code) {
   const RoughingSettings& settings =
       code == g(71) ? block.modal.cycles.turning_roughing : block.modal.cycles.facing_roughing;
   if (settings.depth <= 0.0) {
-    block.fail("E4007", {'G', code, {}}, "no depth of cut is known", "no block with it before")
-        .help.push_back(code == g(71) ? "write a block `G71 U2 R0.5` before"
-                                      : "write a block `G72 W2 R0.5` before");
+    block
+        .fail("E4007", {'G', code, {}}, "the depth of cut is not known",
+              "no earlier block gives it")
+        .help.push_back(code == g(71) ? "program a block `G71 U2 R0.5` first"
+                                      : "program a block `G72 W2 R0.5` first");
     return;
   }
   const auto contour = find_contour(block, code);
@@ -447,7 +453,7 @@ void rough_profile(ActiveBlock& block, CodeNumber code) {
                         contour.problem() + ", see line " + std::to_string(contour.problem_line()));
   }
   if (contour.deepest() / settings.depth > profile_levels_max) {
-    block.fail("E4063", {'I', -1, {}}, "`I` makes too many passes", "too small");
+    block.fail("E4063", {'I', -1, {}}, "`I` results in too many passes", "too small");
     return;
   }
   const bool pockets_alone = code == g(71, 2) || code == g(72, 2);

@@ -191,9 +191,8 @@ void select_spindle_mode(ActiveBlock& block, CodeNumber code) {
   if (modal.feed.law.speed != FeedLaw::Speed::unchanged) {
     block
         .fail("E4344", {'G', code, {}},
-              "`G96` is not possible while a feed law gives the speed of the spindle",
-              "both give the speed")
-        .help.emplace_back("end the law with `#feedlaw (off)` or an F word before");
+              "`G96` is not possible while a feed law sets the spindle speed", "both set the speed")
+        .help.emplace_back("end the law with `#feedlaw (off)` or an F word first");
     return;
   }
   if (block.has('D')) modal.spindles.speed_limit_rev_per_min = block.value('D');

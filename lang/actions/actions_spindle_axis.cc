@@ -92,7 +92,7 @@ void refuse_axis_that_is_spindle(ActiveBlock& block, AxisIndex axis) {
   block
       .fail("E4055", {block.channel.axes[axis].word.front(), -1, {}},
             axis_text(block, axis) + " is spindle " + spindle + " now", "a spindle")
-      .help.push_back("make it an axis in a block before: `M902 H1=" + spindle + "`");
+      .help.push_back("make it an axis in an earlier block: `M902 H1=" + spindle + "`");
 }
 
 void refuse_axes_that_are_spindles(ActiveBlock& block) {
@@ -113,7 +113,7 @@ bool refuse_spindle_that_is_axis(ActiveBlock& block, int spindle, const WordName
         .fail("E4056", word,
               "spindle " + std::to_string(id) + " is " + axis_text(block, *axis) + " now",
               "an axis")
-        .help.push_back("make it a spindle again before: `M903 H1=" + std::to_string(id) + "`");
+        .help.push_back("make it a spindle again first: `M903 H1=" + std::to_string(id) + "`");
     return true;
   }
   return false;
@@ -129,9 +129,9 @@ void make_axis_of_spindle(ActiveBlock& block, CodeNumber code) {
     block
         .fail("E4057", {'M', code, {}},
               spindle == 0 ? "the channel has no spindle"
-                           : "spindle " + std::to_string(spindle) + " becomes no axis",
+                           : "spindle " + std::to_string(spindle) + " cannot become an axis",
               "no axis")
-        .help.emplace_back("the machine file names it: `axis` in the [[spindle]] section");
+        .help.emplace_back("name the axis in the machine file: `axis` in the [[spindle]] section");
     return;
   }
   if (is_converted(block, *axis)) return;
@@ -158,7 +158,7 @@ void make_spindle_of_axis(ActiveBlock& block, CodeNumber code) {
   if (any) return;
   const std::string which =
       *named == 0 ? "no spindle of the channel" : "spindle " + std::to_string(*named);
-  block.queue.emit(Message{"M903: " + which + (*named == 0 ? " is an axis" : " is no axis"),
+  block.queue.emit(Message{"M903: " + which + (*named == 0 ? " is an axis" : " is not an axis"),
                            Message::Kind::warning});
 }
 

@@ -154,9 +154,9 @@ bool begin_knotted(ActiveBlock& block, const CurvePlane& plane, CodeNumber code)
   const CurvePoint first = programmed_point(block, plane, stands);
   if (std::hypot(first[0] - stands[0], first[1] - stands[1]) > start_tolerance) {
     block
-        .fail("E4312", code_word(code), "the first control point is where the axes stand",
-              "begins elsewhere")
-        .help.emplace_back("go to the first control point before");
+        .fail("E4312", code_word(code), "the first control point must be the current position",
+              "it begins elsewhere")
+        .help.emplace_back("move to the first control point first");
     return false;
   }
   curve.order = order;
@@ -169,13 +169,13 @@ bool knot_fits(ActiveBlock& block, double knot) {
   const auto order = static_cast<std::size_t>(curve.order);
   if (curve.knots.empty()) return true;
   if (knot < curve.knots.back()) {
-    fail_knot(block, "knots must not become less", "less than the one before");
+    fail_knot(block, "knots must not decrease", "less than the previous one");
     return false;
   }
   const std::size_t before = curve.knots.size();
   const bool too_often = before >= order && curve.knots[before - order] == knot;
   if (too_often) {
-    fail_knot(block, "a knot stands at most as often as the order says", "once more");
+    fail_knot(block, "a knot may be repeated at most as often as the order", "one too many");
     return false;
   }
   return true;
@@ -197,21 +197,22 @@ void emit_knotted(ActiveBlock& block, const CurvePlane& plane, CodeNumber code) 
   const KnottedCurve curve{order, programmed.points, programmed.weights, programmed.knots};
   programmed.close();
   if (curve.points.size() < order) {
-    block.fail("E4313", code_word(code),
-               "a curve of order " + std::to_string(order) + " needs as many control points",
-               "only " + std::to_string(curve.points.size()));
+    block.fail(
+        "E4313", code_word(code),
+        "a curve of order " + std::to_string(order) + " needs at least that many control points",
+        "only " + std::to_string(curve.points.size()));
     return;
   }
   const std::vector<BezierPiece> pieces = bezier_pieces(curve);
   if (pieces.empty() || is_torn(curve)) {
-    fail_knot(block, "these knots make no connected curve", "the last of the knots");
+    fail_knot(block, "these knots do not give a connected curve", "the last of the knots");
     return;
   }
   const CurvePoint stands = point_in(plane, block.modal.position_W);
   const CurvePoint& first = pieces.front().points.front();
   if (std::hypot(first[0] - stands[0], first[1] - stands[1]) > start_tolerance) {
-    fail_knot(block, "the curve does not begin in its first control point",
-              "the first knot must stand as often as the order says");
+    fail_knot(block, "the curve does not begin at its first control point",
+              "the first knot must be repeated as often as the order");
     return;
   }
   for (const BezierPiece& piece : pieces) {
@@ -290,7 +291,7 @@ void collect_nurbs_point(ActiveBlock& block, CodeNumber code) {
     curve.points = {point_in(*plane, block.modal.position_W)};
     curve.weights = {block.programmed == 0 ? weight : 1.0};
   } else if (block.has('L')) {
-    block.fail("E4312", {'L', -1, {}}, "the order belongs into the first block of the curve",
+    block.fail("E4312", {'L', -1, {}}, "the order belongs in the first block of the curve",
                "too late");
     return;
   }
@@ -312,9 +313,10 @@ void end_nurbs(ActiveBlock& block, CodeNumber code) {
   }
   const auto order = static_cast<std::size_t>(curve.order);
   if (curve.points.size() < order) {
-    block.fail("E4313", code_word(code),
-               "a curve of order " + std::to_string(order) + " needs as many control points",
-               "only " + std::to_string(curve.points.size()) + " with the start point");
+    block.fail(
+        "E4313", code_word(code),
+        "a curve of order " + std::to_string(order) + " needs at least that many control points",
+        "only " + std::to_string(curve.points.size()) + " with the start point");
     return;
   }
   const auto plane = curve_plane_of(block, code);
@@ -345,7 +347,7 @@ void collect_knot(ActiveBlock& block, CodeNumber code) {
   if (!curve.open()) {
     if (!begin_knotted(block, *plane, code)) return;
   } else if (block.has('P')) {
-    block.fail("E4312", {'P', -1, {}}, "the order belongs into the first block of the curve",
+    block.fail("E4312", {'P', -1, {}}, "the order belongs in the first block of the curve",
                "too late");
     return;
   }

@@ -19,7 +19,7 @@ void restore_saved_state(ActiveBlock& block, CodeNumber) {
     block
         .fail("E4014", {'M', m(72), {}}, "`M72` has no saved state to restore",
               "nothing to restore")
-        .help.push_back("save it before with M70 in the same program or subprogram");
+        .help.push_back("save it first with M70 in the same program or subprogram");
     return;
   }
   const std::string_view reason = reason_against_restoring(block.modal, *saved, state_of_m70);

@@ -150,7 +150,7 @@ void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
     const std::string name = in_fixture ? "`G10 L11`" : "`G10 L10`";
     BlockFault& fault =
         block.fail("E4016", {'L', -1, {}}, name + " without an axis word", "no length");
-    fault.notes.push_back({"on Fanuc controls R is a length then, here it is the radius", {}});
+    fault.notes.push_back({"on Fanuc controls R is then a length; here it is the radius", {}});
     fault.help.emplace_back("write the length with `G10 L1 P1 Z120.5`, the radius with `L1` and R");
     return;
   }

@@ -36,9 +36,7 @@ Travel travel_of(const ActiveBlock& block, const Move& move) {
 double lead_of(ActiveBlock& block, const Move& move, CodeNumber code) {
   const std::string name = "`" + code_text('G', code) + "`";
   if (block.has('K') && block.has('F') && code != g(33, 1)) {
-    block
-        .fail("E4066", {'F', -1, {}}, name + " has K and F, which both are the lead",
-              "one too many")
+    block.fail("E4066", {'F', -1, {}}, name + " has K and F, and both are the lead", "one too many")
         .help.push_back("keep K, the lead along the path, or F, that along the longer axis");
     return 0.0;
   }
@@ -54,8 +52,8 @@ double lead_of(ActiveBlock& block, const Move& move, CodeNumber code) {
   }
   const Travel travel = travel_of(block, move);
   if (travel.path == 0.0) {
-    block.fail("E4067", {'G', code, {}}, name + " does not move a linear axis", "no way")
-        .help.push_back("program the end of the thread, away from where the tool stands");
+    block.fail("E4067", {'G', code, {}}, name + " does not move a linear axis", "no path")
+        .help.push_back("program an end of the thread that is not the current position");
     return 0.0;
   }
   return letter == 'K' ? lead : lead * travel.path / travel.longest;
@@ -100,8 +98,8 @@ void check_spindle_turns(ActiveBlock& block, int spindle, CodeNumber code) {
   if (spindle_turns(block, spindle)) return;
   block
       .fail("E4064", {'G', code, {}}, "`" + code_text('G', code) + "` needs a spindle that turns",
-            "no M3 or M4 before")
-      .help.push_back("program S and `M3` or `M4` before");
+            "no M3 or M4 before this")
+      .help.push_back("program S and `M3` or `M4` first");
 }
 
 double thread_start_angle_deg(ActiveBlock& block) {
@@ -132,10 +130,11 @@ void tap_rigidly(ActiveBlock& block, CodeNumber code) {
   if (!move) return;
   if (!taps_straight(block, move->line)) {
     block
-        .fail("E4070", {'G', code, {}}, "`G33.1` would tap on a slant",
+        .fail("E4070", {'G', code, {}}, "`G33.1` would tap at an angle",
               "moves several axes, and not along the tool")
         .help.emplace_back(
-            "go over the hole before, e.g. `G0 X10 Y0`, then tap with the end of the thread alone");
+            "move over the hole first, e.g. `G0 X10 Y0`, then tap with the end of the thread "
+            "alone");
     return;
   }
   move->kind = SynchronousMove::Kind::rigid_tap;

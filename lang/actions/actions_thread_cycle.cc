@@ -118,8 +118,8 @@ void cut_passes(ActiveBlock& block, CycleMoves& moves, const Thread& thread) {
   const TurningPoint start = moves.position();
   const double length = std::abs(thread.peak_end.z - thread.peak_start.z);
   if (length <= thread.entry + thread.exit || length <= thread.depth * thread.infeed_tangent) {
-    block.fail("E4067", {'G', g(76), {}}, "the thread is shorter than its tapers", "no way left")
-        .help.push_back("take a longer thread, shorter tapers or a smaller infeed angle");
+    block.fail("E4067", {'G', g(76), {}}, "the thread is shorter than its tapers", "no length left")
+        .help.push_back("use a longer thread, shorter tapers or a smaller infeed angle");
     return;
   }
   for (const double depth : thread.passes) cut_pass(moves, thread, start, depth);

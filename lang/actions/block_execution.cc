@@ -103,12 +103,12 @@ void check_open_curve(ActiveBlock& block, const BlockCodes& codes) {
     BlockFault& fault =
         block.fail("E4312", {row->letter, row->number, {}},
                    "`" + code_text(row->letter, row->number) + "` inside a NURBS curve",
-                   "the curve is not ended");
+                   "the curve has not ended");
     fault.notes.push_back(block.modal.origin_of(Group::motion));
     fault.help.push_back(curve.has_knots()
-                             ? "end the curve before: " + std::to_string(curve.knots_to_come()) +
-                                   " knots are missing, `K` in blocks of their own"
-                             : "end the curve with `G5.3` before");
+                             ? "end the curve first: " + std::to_string(curve.knots_to_come()) +
+                                   " knots are missing, each `K` in a block of its own"
+                             : "end the curve with `G5.3` first");
     return;
   }
 }
@@ -140,8 +140,8 @@ bool turns_against_set_up(ActiveBlock& block, const BlockCodes& codes) {
       .fail("E4301", {user.letter, user.number, {}},
             "rotary axes cannot turn here while `G54.4` turns the workpiece", "not in this mode")
       .help.emplace_back(
-          "turn them by G0 or G1 under `G43.4` or `G43.5`, which find the angles, or end `G54.4` "
-          "with P0 before");
+          "turn them with G0 or G1 under `G43.4` or `G43.5`, which compute the angles, or end "
+          "`G54.4` with P0 first");
   return true;
 }
 
@@ -165,8 +165,8 @@ void check_shared_words(ActiveBlock& block, const BlockCodes& codes) {
       const char letter = first_letter(both);
       block
           .fail("E4015", {letter, -1, {}},
-                std::string("`") + letter + "` would be taken by two codes of the block",
-                "it is not clear for which")
+                std::string("`") + letter + "` would be used by two codes of the block",
+                "it is not clear which one")
           .help.push_back("program `" + code_text(row->letter, row->number) +
                           "` in a block of its own");
       return;

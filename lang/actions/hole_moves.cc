@@ -38,8 +38,8 @@ bool is_lead(ActiveBlock& block, double speed) {
       block.fail("E4016", {'K', -1, {}},
                  lead > 0.0 ? "`K`, the lead of the tap, and F contradict each other"
                             : "`K`, the lead of the tap, must be positive",
-                 "it is not clear what is meant");
-  fault.notes.push_back({"on Fanuc controls K is a number of holes: here it is L", {}});
+                 "the meaning is not clear");
+  fault.notes.push_back({"on Fanuc controls K is the number of holes; here it is L", {}});
   fault.help.emplace_back("keep K, the lead, or F, lead times speed");
   return false;
 }
@@ -50,7 +50,7 @@ double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
   const double speed = speed_of_spindle(block, spindle);
   if (speed <= 0.0) {
     block.fail("E4064", {'G', code, {}}, "tapping needs a spindle speed", "no S before")
-        .help.push_back("program S before, e.g. `S300 M3`");
+        .help.push_back("program S first, e.g. `S300 M3`");
     return 0.0;
   }
   if (!is_lead(block, speed)) return 0.0;

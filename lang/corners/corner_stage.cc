@@ -97,8 +97,8 @@ StageResult CornerStage::begin(Command& command) {
   const CornerRequest request = std::exchange(request_, {});
   if (request.line.end == LineByAngle::End::given) {
     return corner_fault(command, "E4153",
-                        "an angle and both coordinates of the end say more than there is to say",
-                        "`,A` is too much");
+                        "the end is given twice, by an angle and by both coordinates",
+                        "`,A` is one too many");
   }
   if (!is_good) {
     return corner_fault(command, "E4150",
@@ -113,10 +113,10 @@ StageResult CornerStage::begin(Command& command) {
 StageResult CornerStage::go_on(Command& command) {
   const Move& move = std::get<Move>(command.payload);
   if (!is_element(move)) {
-    return corner_fault(command, "E4151",
-                        "behind a " + name_of(held_->request) +
-                            " a line at feed or an arc in the plane must follow",
-                        "another motion");
+    return corner_fault(
+        command, "E4151",
+        "after a " + name_of(held_->request) + " a line at feed or an arc in the plane must follow",
+        "another motion");
   }
   if (ends_at_next_line(held_->request)) {
     if (auto fault = meet(command)) return fault;
@@ -163,7 +163,7 @@ StageResult CornerStage::meet(const Command& command) {
   const LineByAngle other = std::exchange(request_.line, {});
   if (other.end != LineByAngle::End::given || next.kind != MoveKind::line) {
     return corner_fault(command, "E4153",
-                        "the line before ends where it meets this one: this block needs G1, both "
+                        "the previous line ends where it meets this one: this block needs G1, both "
                         "coordinates of its end and its angle `,A`",
                         "no line with end and angle");
   }
@@ -175,8 +175,9 @@ StageResult CornerStage::meet(const Command& command) {
   const bool meets = std::abs(sine) > parallel && ahead * norm(along) > same_point &&
                      behind * norm(other.direction) > same_point;
   if (!meets) {
-    return corner_fault(command, "E4153", "the line before and this one do not meet on their way",
-                        "see the two angles");
+    return corner_fault(command, "E4153",
+                        "the previous line and this one do not meet within their length",
+                        "check the two angles");
   }
   Move& move = std::get<Move>(held_->command.payload);
   const PlanePoint corner = start_ + ahead * along;

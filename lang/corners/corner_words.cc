@@ -55,16 +55,17 @@ void read_corner(ActiveBlock& block) {
   } else if (const char axis = axis_of_square_chamfer(block, place); axis != 0) {
     block
         .fail("E4150", place,
-              "`" + name_of(place) + "` is a chamfer behind a move of " + axis + " alone",
+              "`" + name_of(place) + "` is a chamfer after a move of " + axis + " alone",
               "another move")
         .help.emplace_back("write the chamfer as `C` or `,C`");
   } else if (word->value < 0.0) {
     block.fail("E4008", place, "`" + name_of(place) + "` must not be negative", "negative");
   } else if (!has_plane(block) || block.modal.transformation.axis >= 0) {
-    block.fail("E4150", place, "there is no corner in this plane", "needs a plane of two axes");
+    block.fail("E4150", place, "a corner is not possible in this plane",
+               "needs a plane of two axes");
   } else if (block.modal.feed.law.kind != FeedLaw::Kind::off || block.law_feed != 0.0) {
     block.fail("E4150", place, "a feed law is not possible along a corner", "a law is active")
-        .help.emplace_back("write the corner as G1, G2 or G3 of its own");
+        .help.emplace_back("write the corner as a separate G1, G2 or G3");
   } else if (const auto gain = gain_in_plane(block)) {
     const auto kind = chamfer ? CornerRequest::Kind::chamfer : CornerRequest::Kind::rounding;
     block.end.corner.kind = kind;

@@ -71,7 +71,7 @@ void take_line_angle(ActiveBlock& block) {
   const LineAxes axes{block.channel_words.geometry_axis(plane.first),
                       block.channel_words.geometry_axis(plane.second)};
   if (!axes.first.exists() || !axes.second.exists() || block.modal.transformation.axis >= 0) {
-    block.fail("E4153", place_of_angle(block), "there is no line by its angle in this plane",
+    block.fail("E4153", place_of_angle(block), "a line cannot be given by its angle in this plane",
                "needs a plane of two axes");
     return;
   }

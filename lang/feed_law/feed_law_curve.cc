@@ -42,11 +42,12 @@ MaybeFault check_ways(Elements ways) {
   };
   if (ways[0] != 0.0) {
     return no_curve("the curve begins with " + text(0) + ", not with 0",
-                    "begin with the distance 0, where the law begins");
+                    "begin with distance 0, where the law begins");
   }
   for (std::size_t i = 1; i < ways.size(); ++i) {
     if (ways[i] > ways[i - 1]) continue;
-    return no_curve(text(i) + " does not lie behind " + text(i - 1), "let the distances ascend");
+    return no_curve(text(i) + " is not greater than " + text(i - 1),
+                    "give the distances in ascending order");
   }
   return std::nullopt;
 }

@@ -63,7 +63,7 @@ void LawReader::check_grid(LawAddress address, double value, const Grid& grid) {
   const std::string unit(grid.unit);
   const double sign = words_.value(address) < 0.0 ? -1.0 : 1.0;
   fail("E4336", address,
-       text(address) + " is no multiple of " + law_number_text(grid.step) + " " + unit,
+       text(address) + " is not a multiple of " + law_number_text(grid.step) + " " + unit,
        law_number_text(value) + " " + unit,
        "the nearest is `" + std::string(name_of(address)) + "=" +
            law_number_text(sign * nearest * grid.step /

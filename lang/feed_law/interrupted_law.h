@@ -21,6 +21,6 @@ inline constexpr LawType interrupted_law{.name = "interrupted",
                                          .read = read_interrupted_law,
                                          .is_plausible = is_plausible_interrupted_law,
                                          .values = values_of_interrupted_law,
-                                         .takes_feed = "it cuts and rests at the feed F"};
+                                         .takes_feed = "it cuts and pauses at feed F"};
 
 }  // namespace stanok::lang

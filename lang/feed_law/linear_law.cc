@@ -17,7 +17,7 @@ void check_direction(LawReader& reader) {
   const std::string toward = rise > 0.0 ? "above" : "below";
   reader.fail("E4341", path_step,
               reader.text(path_step) + " leads away from " + reader.text(feed_last) +
-                  ", which lies " + toward + " " + reader.text(feed_first),
+                  ", which is " + toward + " " + reader.text(feed_first),
               "wrong sign", "write `dl=" + law_number_text(-reader.value(path_step)) + "`");
 }
 
@@ -27,14 +27,14 @@ void check_path_step_follows(LawReader& reader) {
   const double steps_needed = std::abs(law.feed_last - law.feed_first) / law.feed_step;
   if (steps_needed < 1.0 - LawReader::multiple_tolerance) {
     reader.fail("E4339", feed_last,
-                reader.text(feed_last) + " is not even one `dS` away from " +
-                    reader.text(feed_first) + ": `dl` cannot follow from them",
+                reader.text(feed_last) + " is less than one `dS` away from " +
+                    reader.text(feed_first) + ": `dl` cannot be computed from them",
                 "no step between", "add `dl`, the distance after which a step is due");
   } else if (reader.scope() == LawScope::modal) {
     reader.fail("E4340", feed_last,
                 reader.text(feed_last) +
-                    " without `dl` in a block without axis words: there is no length from "
-                    "which `dl` follows",
+                    " without `dl` in a block without axis words: there is no length from which "
+                    "`dl` could be computed",
                 "no path in this block", "add `dl`, or program the law in the block of the motion");
   }
 }

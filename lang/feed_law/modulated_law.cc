@@ -27,17 +27,16 @@ void read_largest_feed(LawReader& reader) {
   const double largest = reader.feed(feed_max);
   if (reader.failed()) return;
   if (largest <= law.feed_first) {
-    reader.fail("E4338", feed_max,
-                reader.text(feed_max) + " must be above " + reader.text(feed_min),
-                "the law starts at `Smin` and rises",
-                "exchange them, or give the number of steps with `n_s`");
+    reader.fail(
+        "E4338", feed_max, reader.text(feed_max) + " must be above " + reader.text(feed_min),
+        "the law starts at `Smin` and rises", "swap them, or give the number of steps with `n_s`");
     return;
   }
   const double count = (largest - law.feed_first) / law.feed_step;
   if (count > steps_max) {
     reader.fail("E4337", feed_max,
-                reader.text(feed_max) + " lies more than 1000000 steps of " +
-                    reader.text(feed_step) + " above " + reader.text(feed_min),
+                reader.text(feed_max) + " is more than 1000000 steps of " + reader.text(feed_step) +
+                    " above " + reader.text(feed_min),
                 "too many steps", "write a larger `dS`");
   } else if (std::abs(count - std::round(count)) > LawReader::multiple_tolerance) {
     const double nearest =

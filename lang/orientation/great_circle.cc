@@ -71,7 +71,7 @@ void fail_on_the_way(ActiveBlock& block, const OrientationWish& wish) {
                                  "out of reach on the way");
   fault.notes.push_back(block.modal.origin_of(wish.said_by));
   fault.help.emplace_back(
-      "retract the tool and turn it by a move of G0, or clamp the workpiece otherwise");
+      "retract the tool and turn it with a G0 move, or clamp the workpiece differently");
 }
 
 // The parts of a way along the circle, from where the block begins; at `end_B`, where it is given,

@@ -64,9 +64,9 @@ std::optional<CorrectedAngles> corrected_angles(ActiveBlock& block, const Move& 
   const OrientationWish wish{.word = {},
                              .name = "a tool under `G54.4`",
                              .tool_B = components(as_it_lies(modal.frames, drawn_B)),
-                             .purpose = "lean as the workpiece lies, to",
+                             .purpose = "tilt with the workpiece, to",
                              .said_by = Group::length,
-                             .remedy = "clamp the workpiece otherwise"};
+                             .remedy = "clamp the workpiece differently"};
   const auto found = reachable_angles(block, wish);
   if (!found) return std::nullopt;
   return CorrectedAngles{*found, drawn_W};

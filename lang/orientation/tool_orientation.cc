@@ -30,23 +30,22 @@ void fail_without_axes(ActiveBlock& block, const OrientationWish& wish) {
   block
       .fail("E4353", wish.word,
             name_of(wish) +
-                " has no rotary axes to turn: the kinematic scheme has none that incline the "
-                "tool",
+                " needs rotary axes that tilt the tool, but the kinematic scheme has none",
             "no such axes")
       .help.emplace_back(
-          "load a scheme of the types head_table, head_head or table_table with `#kinematics`");
+          "select a scheme of type head_table, head_head or table_table with `#kinematics`");
 }
 
 std::string hindrance(const ActiveBlock& block, const Alignment& found) {
   using Outcome = Alignment::Outcome;
   if (found.outcome == Outcome::beyond_limit) {
-    return block.channel.axes[found.axis].word + " would have to stand at " +
-           angle_text(found.needed_deg) + " deg, its limit is " + angle_text(found.limit_deg) +
+    return block.channel.axes[found.axis].word + " would have to be at " +
+           angle_text(found.needed_deg) + " deg, but its limit is " + angle_text(found.limit_deg) +
            " deg";
   }
   if (found.outcome == Outcome::wrong_sign)
-    return "no position within the travel has the sign that P wants";
-  return "the rotary axes cannot incline the tool so, wherever they stand";
+    return "no position within the travel has the sign that P selects";
+  return "the rotary axes cannot tilt the tool this way in any position";
 }
 
 // The direction that cannot be had, what hinders, and how near the machine comes to it.
@@ -105,8 +104,7 @@ std::optional<Direction> vector_of_block(ActiveBlock& block) {
              -1,
              {}},
             "the tool vector I, J, K has no direction", "its length is not above 0")
-      .help.emplace_back(
-          "write where the tool points, from its tip into the spindle: K1 is upright");
+      .help.emplace_back("give the direction from the tool tip to the spindle: K1 is upright");
   return std::nullopt;
 }
 

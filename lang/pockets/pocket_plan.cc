@@ -66,34 +66,33 @@ std::optional<std::uint32_t> line_of_untouched_wall(const PocketWish& wish, cons
 std::optional<PocketFault> fault_of(const PocketWish& wish, const Region& pocket,
                                     const Region& middle, const Region& rough) {
   if (pocket.empty()) {
-    return PocketFault{"nothing lies inside of the outline",
+    return PocketFault{"nothing is inside the outline",
                        "with G41 the outline runs counter-clockwise, with G42 clockwise", 0};
   }
   if (middle.empty()) {
     return PocketFault{
         text("a tool of radius %g mm does not fit into the pocket", wish.radius_mm, 0.0),
-        "take a smaller tool", 0};
+        "use a smaller tool", 0};
   }
   if (const auto line = line_of_untouched_wall(wish, pocket, middle)) {
-    return PocketFault{text("a tool of radius %g mm does not come to this part of the outline",
-                            wish.radius_mm, 0.0),
-                       "take a smaller tool, or a larger radius in the corner", *line};
+    return PocketFault{
+        text("a tool of radius %g mm cannot reach this part of the outline", wish.radius_mm, 0.0),
+        "use a smaller tool, or a larger radius in the corner", *line};
   }
   if (rough.size() != 1) {
     const PlanePoint at = rough.size() > 1 ? rough.back().lines.front().front() : wish.start;
     return PocketFault{
-        text(rough.empty()
-                 ? "a tool of radius %g mm does not fit when %g mm stay for the finish"
-                 : "a tool of radius %g mm does not pass a narrow place; the part at %g, %g would "
-                   "stay",
+        text(rough.empty() ? "a tool of radius %g mm does not fit when %g mm are left for finishing"
+                           : "a tool of radius %g mm cannot pass a narrow place; the material at "
+                             "%g, %g would remain",
              wish.radius_mm, rough.empty() ? wish.finish_mm : at.first, at.second),
-        "take a smaller tool or less for the finish, or divide the pocket", 0};
+        "use a smaller tool, leave less for finishing, or split the pocket", 0};
   }
   if (!contains(rough, wish.start)) {
-    return PocketFault{text("the tool cannot come down at %g, %g: it would touch the outline or an "
-                            "island",
-                            wish.start.first, wish.start.second),
-                       "choose a start point that is farther from the walls", 0};
+    return PocketFault{
+        text("the tool cannot plunge at %g, %g: it would touch the outline or an island",
+             wish.start.first, wish.start.second),
+        "choose a start point farther from the walls", 0};
   }
   return std::nullopt;
 }
@@ -105,9 +104,9 @@ std::size_t corners_of(const Region& region) {
 }
 
 PocketFault too_fine() {
-  return {
-      "its walls have more than " + std::to_string(corners_max) + " corners, chords of arcs too",
-      "divide the pocket", 0};
+  return {"its walls have more than " + std::to_string(corners_max) +
+              " corners, chords of arcs included",
+          "split the pocket", 0};
 }
 
 // Around a closed line from a point on it, back to that point.
@@ -194,7 +193,7 @@ std::optional<PocketFault> excess_of(const PocketWish& wish) {
   for (const auto& [element, line] : wish.outline) {
     if (!is_near(element.start) || !is_near(element.end) ||
         (element.arc && !is_near(element.centre)))
-      return PocketFault{"it is farther away than 100 m", "look at the coordinates", line};
+      return PocketFault{"it is more than 100 m away", "check the coordinates", line};
     const double radius = element.arc ? norm(element.start - element.centre) : 0.0;
     corners += element.arc ? element.sweep / std::sqrt(8.0 * chord_deviation_mm / radius) : 1.0;
     for (const PlanePoint point : {element.end, element.centre + PlanePoint{radius, radius},
@@ -205,14 +204,14 @@ std::optional<PocketFault> excess_of(const PocketWish& wish) {
     }
   }
   if (!is_near(wish.start) || !(wish.radius_mm + wish.finish_mm <= pocket_reach_mm))
-    return PocketFault{"it is farther away than 100 m", "look at the coordinates and the tool", 0};
+    return PocketFault{"it is more than 100 m away", "check the coordinates and the tool", 0};
   if (corners > corners_max) return too_fine();
   const PlanePoint size = high - low;
   const double across = wish.lines == ScanLines::along_first ? size.second : size.first;
   if (!(across / wish.step_mm <= scan_lines_max)) {
-    return PocketFault{"its lines are too near to each other, more than " +
+    return PocketFault{"its passes are too close together: more than " +
                            std::to_string(static_cast<int>(scan_lines_max)) + " would be needed",
-                       "take a larger way between lines, I or J", 0};
+                       "use a larger step between the passes, I or J", 0};
   }
   return std::nullopt;
 }

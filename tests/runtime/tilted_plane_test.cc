@@ -346,7 +346,7 @@ TEST(TiltedPlaneOnMachine, NamesAxisLimitAndTheNearestDirection) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "E4354");
   EXPECT_EQ(found[0].place.line, 3);
-  for (const char* part : {"A would have to stand at 50 deg", "its limit is 30 deg", "G53.1"})
+  for (const char* part : {"A would have to be at 50 deg", "its limit is 30 deg", "G53.1"})
     EXPECT_NE(found[0].message.find(part), std::string::npos) << found[0].message;
   EXPECT_FALSE(found[0].help.empty());
   EXPECT_TRUE(checked_plane("trunnion.toml", "G54\nG68.2 J50\nG53.1\nM30\n").empty());

@@ -276,8 +276,8 @@ TEST(PocketPlan, RefusesWhereTheToolDoesNotFit) {
   EXPECT_EQ(refusal(round_with_round_island(), {-10, 0}, 6.1), "taken");
   EXPECT_THAT(refusal(round_with_round_island(), {-10, 0}, 20.0), HasSubstr("does not fit"));
   EXPECT_THAT(refusal(round_with_round_island(), {10, 0}, 3.0),
-              HasSubstr("cannot come down at 10, 0"));
-  EXPECT_THAT(refusal(round_with_round_island(), {28, 0}, 3.0), HasSubstr("cannot come down"));
+              HasSubstr("cannot plunge at 10, 0"));
+  EXPECT_THAT(refusal(round_with_round_island(), {28, 0}, 3.0), HasSubstr("cannot plunge"));
 }
 
 TEST(PocketPlan, RefusesNarrowPlacesThatWouldStay) {
@@ -286,21 +286,18 @@ TEST(PocketPlan, RefusesNarrowPlacesThatWouldStay) {
   chambers.to(20, 0).to(20, 7).to(30, 7).to(30, 0).to(50, 0).to(50, 20).to(30, 20).to(30, 13);
   chambers.to(20, 13).to(20, 20).to(0, 20).to(0, 0);
   EXPECT_EQ(refusal(chambers, {10, 10}, 2.9), "taken");
-  EXPECT_THAT(refusal(chambers, {10, 10}, 3.1),
-              HasSubstr("come to this part of the outline line 3"));
-  EXPECT_THAT(refusal(chambers, {10, 10}, 2.9, 0.2), HasSubstr("does not pass a narrow place"));
+  EXPECT_THAT(refusal(chambers, {10, 10}, 3.1), HasSubstr("reach this part of the outline line 3"));
+  EXPECT_THAT(refusal(chambers, {10, 10}, 2.9, 0.2), HasSubstr("cannot pass a narrow place"));
   // A dead end of 5 mm begins with line 3.
   Outline dead_end({0.0, 0.0});
   dead_end.to(20, 0).to(20, 8).to(30, 8).to(30, 13).to(20, 13).to(20, 20).to(0, 20).to(0, 0);
   EXPECT_EQ(refusal(dead_end, {10, 10}, 2.4), "taken");
-  EXPECT_THAT(refusal(dead_end, {10, 10}, 2.6),
-              HasSubstr("come to this part of the outline line 3"));
+  EXPECT_THAT(refusal(dead_end, {10, 10}, 2.6), HasSubstr("reach this part of the outline line 3"));
   // A corner of radius 2.
   Outline rounded({0.0, 0.0});
   rounded.to(20, 0).to(20, 18).arc(18, 20, {18, 18}, true).to(0, 20).to(0, 0);
   EXPECT_EQ(refusal(rounded, {10, 10}, 1.9), "taken");
-  EXPECT_THAT(refusal(rounded, {10, 10}, 2.5),
-              HasSubstr("come to this part of the outline line 3"));
+  EXPECT_THAT(refusal(rounded, {10, 10}, 2.5), HasSubstr("reach this part of the outline line 3"));
 }
 
 TEST(PocketPlan, RefusesWhatWouldTakeTooMuch) {
@@ -308,13 +305,12 @@ TEST(PocketPlan, RefusesWhatWouldTakeTooMuch) {
   for (const double far : {1.1e5, 1e300, nan}) {
     Outline outline({0.0, 0.0});
     outline.to(far, 0).to(far, 20).to(0, 20).to(0, 0);
-    EXPECT_THAT(refusal(outline, {10, 10}, 2.0), HasSubstr("farther away than 100 m line 1"))
-        << far;
+    EXPECT_THAT(refusal(outline, {10, 10}, 2.0), HasSubstr("more than 100 m away line 1")) << far;
   }
   Outline square({0.0, 0.0});
   square.to(90, 0).to(90, 90).to(0, 90).to(0, 0);
   EXPECT_EQ(refusal(square, {10, 10}, 2.0), "taken");
-  EXPECT_THAT(refusal(square, {10, 10}, 1e300), HasSubstr("farther away"));
+  EXPECT_THAT(refusal(square, {10, 10}, 1e300), HasSubstr("more than 100 m away"));
   // Lines as far apart as the tool has radius: 90 / 0.008.
   EXPECT_THAT(refusal(square, {10, 10}, 0.008), HasSubstr("more than 10000 would be needed"));
   // A circle of 60 m has some 12,000 chords.
@@ -326,7 +322,7 @@ TEST(PocketPlan, RefusesWhatWouldTakeTooMuch) {
 TEST(PocketPlan, RefusesAnOutlineThatRunsTheOtherWay) {
   Outline clockwise({0.0, 0.0});
   clockwise.to(0, 20).to(20, 20).to(20, 0).to(0, 0);
-  EXPECT_THAT(refusal(clockwise, {10, 10}, 2.0), HasSubstr("nothing lies inside"));
+  EXPECT_THAT(refusal(clockwise, {10, 10}, 2.0), HasSubstr("nothing is inside"));
 }
 
 }  // namespace
