@@ -256,7 +256,7 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "add a section [process] to the machine file, and give the channel a spindle with a power "
      "sensor",
      "remove #adaptive, or load the program again with the corrected machine file"},
-    {"E6061", "force control cannot take these values", end,
+    {"E6061", "force control does not accept these values", end,
      "forces, frequencies and feeds are above 0, S_min below S_max",
      "correct the program and load it again"},
     {"E6062", "the command is not possible in the present state of force control", end,

@@ -56,15 +56,15 @@ std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber nu
   if (row == nullptr) {
     BlockFault fault =
         fault_at("E4004", word, "unknown code `" + name() + "`", "there is no such code");
-    fault.help.push_back("a machine builder's code gets its meaning in the machine file: " +
-                         name() + " = \"cycles/name.nc\"" +
+    fault.help.push_back("define a code of the machine builder in the machine file: " + name() +
+                         " = \"cycles/name.nc\"" +
                          (letter == 'M' ? ", \"output 4 on\", \"before\" or \"after\"" : "") +
                          " in [channel.codes]");
     if (words.rules.is_haas() && letter == 'G' && (number == g(254) || number == g(255))) {
       fault.label = "dynamic work offsets of Haas";
       fault.help.emplace_back(
-          "`G54.2 P1` of the dialect stanok lets the rotary table carry G54, `G54.2 P0` ends it: "
-          "such a text can be that of the code");
+          "in the dialect stanok, `G54.2 P1` lets the rotary table carry G54 and `G54.2 P0` ends "
+          "it; the program of the code can use these");
     }
     return fault;
   }

@@ -27,7 +27,7 @@ BlockFault law_without_path(const BlockWords& words, const std::string& where, s
   BlockFault fault = fault_at("E4333", first_law_word(words), "a feed law is not possible " + where,
                               std::move(label));
   fault.help.emplace_back(
-      "program it with G1, G2, G3, G5 or G5.1, or before, in a block without axis words");
+      "program it with G1, G2, G3, G5 or G5.1, or earlier in a block without axis words");
   return fault;
 }
 
@@ -40,7 +40,7 @@ std::optional<BlockFault> check_feed_law(const BlockWords& words, const BlockCod
   const Code* const user = codes.axis_user;
   if (count == AxisWordCount::none || user == nullptr || takes_feed_law(*user)) return std::nullopt;
   const std::string name = "`" + code_text(user->letter, user->number) + "`";
-  return law_without_path(words, "in a block of " + name, name + " takes no law");
+  return law_without_path(words, "in a block of " + name, name + " takes no feed law");
 }
 
 bool has_feed_law(const BlockWords& words) {

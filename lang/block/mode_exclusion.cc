@@ -17,31 +17,30 @@ struct ExcludedMode {
 
 constexpr ExcludedMode modes[] = {
     {Exclusion::radius_compensation, Group::radius_compensation, "radius compensation is active",
-     "switch it off with `G40` before"},
-    {Exclusion::tcp, Group::length, "TCP (RTCP) is active", "switch it off with `G49` before"},
+     "switch it off with `G40` first"},
+    {Exclusion::tcp, Group::length, "TCP (RTCP) is active", "switch it off with `G49` first"},
     {Exclusion::transformation, Group::transformation,
-     "a face or cylinder transformation is active", "switch it off with `G13.1` before"},
+     "a face or cylinder transformation is active", "switch it off with `G13.1` first"},
     {Exclusion::drilling_cycle, Group::motion, "a drilling cycle is active",
-     "end it with `G80` before"},
-    {Exclusion::inverse_time, Group::feed_mode, "the feed is an inverse time",
-     "program `G94` or `G95` before"},
-    {Exclusion::rotation, Group::rotation, "the coordinate system is turned",
-     "end it with `G69` before"},
-    {Exclusion::own_rotation, Group::rotation, "the coordinate system is turned by G68",
-     "end it with `G69` before"},
+     "end it with `G80` first"},
+    {Exclusion::inverse_time, Group::feed_mode, "inverse time feed is active",
+     "program `G94` or `G95` first"},
+    {Exclusion::rotation, Group::rotation, "the coordinate system is rotated",
+     "end it with `G69` first"},
+    {Exclusion::own_rotation, Group::rotation, "the coordinate system is rotated by G68",
+     "end it with `G69` first"},
     {Exclusion::tilted_plane, Group::rotation, "a tilted plane is active",
-     "end it with `G69` before"},
-    {Exclusion::scaling, Group::scaling, "the coordinates are scaled", "end it with `G50` before"},
-    {Exclusion::mirror, Group::mirror, "the coordinates are mirrored",
-     "end it with `G50.1` before"},
+     "end it with `G69` first"},
+    {Exclusion::scaling, Group::scaling, "the coordinates are scaled", "end it with `G50` first"},
+    {Exclusion::mirror, Group::mirror, "the coordinates are mirrored", "end it with `G50.1` first"},
     {Exclusion::carried_offset, Group::work_offset, "the rotary table carries the work offset",
-     "end it with `G54.2 P0` before"},
+     "end it with `G54.2 P0` first"},
 };
 
 // The tool tip is led without G43.4, since the tool is aligned with a tilted plane.
 constexpr ExcludedMode aligned{Exclusion::tcp, Group::rotation,
                                "the tool is aligned with a tilted plane",
-                               "end the plane with `G69` before"};
+                               "end the plane with `G69` first"};
 
 bool is_active(const ModalState& modal, Exclusion exclusion) {
   switch (exclusion) {

@@ -29,45 +29,45 @@ constexpr TakesAxisWordsElsewhere takes_axis_words[] = {
     {g(20),
      Channels::lathes,
      {'C', "it is a turning cycle"},
-     "the cycle is `G77`; to move, write `G0` or `G1` into the block"},
+     "the cycle is `G77`; to move, add `G0` or `G1` to the block"},
     {g(21),
      Channels::lathes,
      {'C', "it is a thread cycle"},
-     "the cycle is `G78`; to move, write `G0` or `G1` into the block"},
+     "the cycle is `G78`; to move, add `G0` or `G1` to the block"},
     {g(28, 1),
      Channels::all,
-     {0, "on other controls it goes there"},
-     "`G28` goes to a reference point; to move, write `G0` or `G1` into the block"},
+     {0, "on other controls it moves there"},
+     "`G28` moves to a reference point; to program a move, add `G0` or `G1` to the block"},
     {g(30, 1),
      Channels::all,
-     {0, "on Fanuc controls it goes to a floating reference point"},
-     "`G30` goes to a reference point; to move, write `G0` or `G1` into the block"},
+     {0, "on Fanuc controls it moves to a floating reference point"},
+     "`G30` moves to a reference point; to program a move, add `G0` or `G1` to the block"},
     {g(50),
      Channels::lathes,
      {'A', "it sets the coordinates"},
-     "set them with `G92`; to move, write `G0` or `G1` into the block"},
+     "set them with `G92`; to move, add `G0` or `G1` to the block"},
     {g(60),
      Channels::all,
-     {0, "on Fanuc mills it is a positioning from one side"},
-     "write `G0` or `G1` into the block"},
+     {0, "on Fanuc mills it is single-direction positioning"},
+     "add `G0` or `G1` to the block"},
     {g(90),
      Channels::lathes,
      {'A', "it is a turning cycle"},
-     "the cycle is `G77`; to move, write `G0` or `G1` into the block"},
+     "the cycle is `G77`; to move, add `G0` or `G1` to the block"},
     {g(92, 1),
      Channels::all,
      {0, "on Fanuc controls it sets the coordinates"},
-     "set them with `G92`; to move, write `G0` or `G1` into the block"},
+     "set them with `G92`; to move, add `G0` or `G1` to the block"},
     {g(94),
      Channels::lathes,
      {'A', "it is a facing cycle"},
-     "the cycle is `G79`; to move, write `G0` or `G1` into the block"},
+     "the cycle is `G79`; to move, add `G0` or `G1` to the block"},
 };
 
 BlockFault two_meanings(WordName word, std::string message, const OtherMeaning& meaning,
                         std::string_view remedy) {
   BlockFault fault =
-      fault_at("E4016", std::move(word), std::move(message), "it is not clear what is meant");
+      fault_at("E4016", std::move(word), std::move(message), "the meaning is not clear");
   const std::string system(1, meaning.system);
   const std::string where =
       meaning.system == 0 ? "" : "in code system " + system + " of Fanuc lathes ";
@@ -75,7 +75,7 @@ BlockFault two_meanings(WordName word, std::string message, const OtherMeaning& 
   fault.help.emplace_back(remedy);
   if (meaning.system != 0)
     fault.help.push_back(
-        "a program that is written for it says so in its first line: `(dialect fanuc " + system +
+        "a program for that code system names it in its first line: `(dialect fanuc " + system +
         ")`");
   return fault;
 }
@@ -120,18 +120,18 @@ std::optional<BlockFault> code_of_lathes(const BlockMeaning& block) {
   for (const CodeNumber code : {g(98), g(99)}) {
     if (!block.words.g.has(code)) continue;
     return two_meanings(
-        code_word(code), "`" + code_text('G', code) + "` means nothing on a lathe channel",
-        code == g(98)
-            ? OtherMeaning{'A',
-                           "it is the feed per minute, elsewhere a return level of drilling cycles"}
-            : OtherMeaning{'A',
-                           "it is the feed per revolution, elsewhere a return level of drilling "
-                           "cycles"},
+        code_word(code), "`" + code_text('G', code) + "` has no meaning on a lathe channel",
+        code == g(98) ? OtherMeaning{'A',
+                                     "it is feed per minute; on other controls it is a return "
+                                     "level of drilling cycles"}
+                      : OtherMeaning{'A',
+                                     "it is feed per revolution; on other controls it is a return "
+                                     "level of drilling cycles"},
         code == g(98) ? "the feed per minute is `G94`" : "the feed per revolution is `G95`");
   }
   if (block.words.g.has(g(92)) && block.has_axis_words && block.words.has('F')) {
     return two_meanings({'F', -1, {}}, "`G92` with axis words and F on a lathe channel",
-                        {'A', "it is a thread cycle, here it sets the coordinates of the point"},
+                        {'A', "it is a thread cycle; here it sets the coordinates of the point"},
                         "the cycle is `G78`; to set coordinates, leave F out");
   }
   return std::nullopt;
@@ -165,11 +165,11 @@ std::string_view meaning_on_fanuc(int number) {
   if (number == 3000) return "an alarm";
   if (number == 3006) return "a stop with a message";
   if (number == 3001 || number == 3002) return "a clock";
-  if (number == 3003 || number == 3004) return "what an operator may do";
+  if (number == 3003 || number == 3004) return "a permission of the operator";
   if (number == 3011 || number == 3012) return "date or time";
   if (number == 3901 || number == 3902) return "a number of parts";
   if (within(4001, 4130)) return "a modal code or value";
-  if (within(5081, 5088)) return "the tool length in force";
+  if (within(5081, 5088)) return "the active tool length";
   if (is_position_on_fanuc(number)) return "a position of an axis";
   return {};
 }

@@ -75,7 +75,7 @@ void refuse_other_motion(ActiveBlock& block, const Code& code) {
                  "`" + code_text('G', code.number) + "` is not allowed while polar input is active",
                  "not in this mode");
   fault.notes.push_back(block.modal.origin_of(Group::polar));
-  fault.help.emplace_back("switch it off with `G15` before");
+  fault.help.emplace_back("switch it off with `G15` first");
 }
 
 // The modes of the block, which are in force here, allow a point of the plane XY.
@@ -108,7 +108,7 @@ void put_point_of_polar_words(ActiveBlock& block, const Code& user) {
   if (block.modal.incremental()) {
     if (polar.radius == 0.0) {
       block.fail("E4008", place_of(*first_polar_word(block.words)),
-                 "an increment in polar coordinates has no direction where the axes stand at zero",
+                 "an increment in polar coordinates has no direction when the axes are at zero",
                  "X0 Y0 here");
       return;
     }

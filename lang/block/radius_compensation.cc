@@ -118,9 +118,9 @@ StageResult CompensationStage::take(Command& command) {
   if (const auto* request = std::get_if<Request>(&command.payload)) {
     if (compensating() && request->kind != RequestKind::terminate) {
       FaultOfCommand fault =
-          fault_of(command.origin, "E4140", "the program must wait here for standstill",
+          fault_of(command.origin, "E4140", "the program must wait here until the axes stop",
                    "radius compensation is active");
-      fault.fault.help.push_back("switch it off with `G40` before");
+      fault.fault.help.push_back("switch it off with `G40` first");
       return fault;
     }
   }
@@ -216,7 +216,8 @@ StageResult CompensationStage::lead_in_by_arc(Command& command, Move& move) {
   const double radius = dot(way, way) / (-2.0 * dot(way, inwards));
   const double outside = element.counter_clockwise ? -offset_ : offset_;
   if (!(radius > std::max(outside, 0.0) + same_point)) {
-    return fault_of(command.origin, "E4143", "no arc leads in to radius compensation from here",
+    return fault_of(command.origin, "E4143",
+                    "an arc cannot lead in to radius compensation from here",
                     "begin with G0 or G1");
   }
   element.centre = start + way + radius * inwards;
@@ -254,7 +255,7 @@ StageResult CompensationStage::continue_contour(Command& command, const Move& mo
   }
   if (corner.kind == CornerKind::none) {
     return fault_of(command.origin, "E4146", "the tool cannot reach the corner before this block",
-                    "the parallels do not meet");
+                    "the offset paths do not meet");
   }
   const Held before = *held_;
   if (auto fault = emit_held(corner.end_before, corner.cut_before)) return fault;
@@ -306,7 +307,7 @@ StageResult CompensationStage::emit_held(PlanePoint end, double cut) {
     waiting_.clear();
     return fault_of(held.command.origin, "E4147",
                     "the tool is too large: this element vanishes between its corners",
-                    "shorter than the corners take");
+                    "shorter than the corners need");
   }
   const Move move = parallel_move(held, end, remaining);
   deviation_ = end + tip_ - held.element.end;

@@ -14,11 +14,11 @@ std::string mebibytes(std::size_t bytes) {
 Diagnostic too_large(std::string_view name, std::size_t bytes, std::size_t bytes_max) {
   Diagnostic diagnostic;
   diagnostic.code = "E8004";
-  diagnostic.message = std::string(name) + " makes a program of " + mebibytes(bytes) + ", and " +
-                       mebibytes(bytes_max) + " are the most";
+  diagnostic.message = std::string(name) + " makes the program " + mebibytes(bytes) +
+                       " large, and " + mebibytes(bytes_max) + " is the limit";
   diagnostic.help = {
-      "divide it into programs that run one behind the other, or raise "
-      "`program_size_max` in [machine] of the machine file"};
+      "split it into programs that run one after another, or raise `program_size_max` in [machine] "
+      "of the machine file"};
   return diagnostic;
 }
 

@@ -88,15 +88,15 @@ std::optional<JumpFault> fault_of_jump(int number, const BlockIndex::Found& foun
       return std::nullopt;
     case BlockIndex::Missing::unknown:
       return JumpFault{"E3024", "this program has no block " + name,
-                       "a jump stays between its O number and the next one"};
+                       "a jump stays between its own O number and the next one"};
     case BlockIndex::Missing::twice:
       return JumpFault{"E3024",
-                       name + " stands twice, in lines " + std::to_string(found.block->line) +
+                       name + " appears twice, in lines " + std::to_string(found.block->line) +
                            " and " + std::to_string(found.second_line),
                        "it is not clear which block is meant"};
     case BlockIndex::Missing::inside_loop:
-      return JumpFault{"E3024", name + " stands inside a loop",
-                       "a loop is entered at its beginning"};
+      return JumpFault{"E3024", name + " is inside a loop",
+                       "a loop can be entered only at its beginning"};
   }
   return std::nullopt;
 }

@@ -171,9 +171,9 @@ std::optional<int> CallCompiler::constant_channel(const Expression& argument, Ow
   }
   if (own == OwnChannel::refused && id == context_.channel->id) {
     reporter_
-        .error("E6031", argument.span, "`" + std::string(function) + "` on the own channel",
-               "this is the own channel")
-        .help.push_back("to stop here use M0, to begin again M99, to end terminate ()");
+        .error("E6031", argument.span, "`" + std::string(function) + "` on its own channel",
+               "this is the program's own channel")
+        .help.push_back("use M0 to stop here, M99 to begin again, or terminate () to end");
     return std::nullopt;
   }
   return id;
@@ -192,7 +192,7 @@ std::optional<Type> CallCompiler::compile_entry_name(const Expression& argument,
     reporter_.error("E3004", argument.span,
                     letter == 'x' ? "the argument is an axis or its name as a string"
                                   : "the argument is the name or number of a tool value",
-                    "other type");
+                    "a different type");
   }
   return std::nullopt;
 }
@@ -203,7 +203,7 @@ void CallCompiler::check_mark_call(const Expression& call) {
   const auto constant = symbols_.constant_of(mark);
   if (constant &&
       (!is_integer(constant->number) || constant->number < 0.0 || constant->number > mark_max)) {
-    reporter_.error("E6023", mark.span, "marks are the whole numbers 0 to 199", "no mark");
+    reporter_.error("E6023", mark.span, "marks are the whole numbers 0 to 199", "not a mark");
   }
   for (std::size_t i = 1; i < call.children.size(); ++i) {
     static_cast<void>(constant_channel(call.children[i], OwnChannel::allowed, call.text));
@@ -288,13 +288,13 @@ bool CallCompiler::compile_reference(const FunctionParameter& parameter,
                                    ? symbols_.find(argument.text)
                                    : nullptr;
   if (symbol != nullptr && symbol->shared >= 0) {
-    reporter_.error("E3004", argument.span, "a shared variable cannot be handed to be changed",
-                    "use an own variable");
+    reporter_.error("E3004", argument.span, "a shared variable cannot be passed by reference",
+                    "use a variable of the program");
     return false;
   }
   if (symbol == nullptr || symbol->read_only) {
     reporter_.error("E3004", argument.span,
-                    "argument `" + parameter.name + "` must be a variable, it is changed",
+                    "argument `" + parameter.name + "` must be a variable, because it is changed",
                     "not a variable");
     return false;
   }
@@ -315,7 +315,7 @@ bool CallCompiler::compile_reference(const FunctionParameter& parameter,
   reporter_.error(
       "E3004", argument.span,
       "argument `" + parameter.name + "` must be a " + std::string(type_name(parameter.type)),
-      "other type");
+      "a different type");
   return false;
 }
 

@@ -131,7 +131,7 @@ void Compiler::compile_own(const PlainLines& lines) {
 void Compiler::compile_own(const NumberedProgram& start) {
   if (!file_.numbered_programs.emplace(start.number, code_.position()).second) {
     reporter_.error("E3002", code_.statement_span(),
-                    "program O" + std::to_string(start.number) + " stands twice in this file",
+                    "program O" + std::to_string(start.number) + " appears twice in this file",
                     "this is the second program of this number");
   }
 }

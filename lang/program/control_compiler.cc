@@ -129,7 +129,8 @@ void ControlCompiler::check_cases(const Switch& statement) {
         continue;
       }
       if (!seen.emplace(constant->number, constant->text).second)
-        reporter_.error("E3018", value.span, "this case stands twice", "same value as before");
+        reporter_.error("E3018", value.span, "this case appears twice",
+                        "same value as an earlier case");
     }
   }
 }
@@ -143,7 +144,7 @@ ControlCompiler::Loop* ControlCompiler::find_loop(const std::string& label,
   reporter_.error("E3016", code_.statement_span(),
                   label.empty() ? "`" + std::string(keyword) + "` outside a loop"
                                 : "`" + std::string(keyword) + "` outside the loop O" + label,
-                  "no loop that is meant");
+                  "no such loop");
   return nullptr;
 }
 

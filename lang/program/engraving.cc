@@ -207,7 +207,7 @@ class Engravings {
       if (&word == &code || words_of_engraving.find(word.name.letter) != std::string_view::npos)
         continue;
       reporter_.error("E4003", word.span, "`G47` does not use this word", "unused word")
-          .help.emplace_back("G47 stands in a block with X Y I J R Z F E and its text");
+          .help.emplace_back("a block with G47 takes X Y I J R Z F E and its text");
       return false;
     }
     for (const char letter : {'J', 'Z'}) {
@@ -223,7 +223,7 @@ class Engravings {
       reporter_
           .error("E4008", find_word(block, 'P')->span,
                  "P of `G47` is 0 for a text, 1 for a serial number or 32 to 126 for a character",
-                 "another number")
+                 "a different number")
           .help.emplace_back("engrave a number with `engrave (str (...), height, depth);`");
       return false;
     }
@@ -235,7 +235,7 @@ class Engravings {
     }
     if (*kind == literal_text || serial_text_of(block.remark)) return true;
     reporter_
-        .error("E4008", code.span, "the text of `G47 P1` has no digits of a serial number",
+        .error("E4008", code.span, "the text of `G47 P1` has no serial number",
                "no # and no number")
         .help.emplace_back("write a # for each digit of #599, `(S####)`, or its first number");
     return false;

@@ -34,10 +34,11 @@ std::vector<ForeignParameter> foreign_parameters(const Program& program) {
     if (uses.is_read && uses.is_set) continue;
     const std::string name = "`#" + std::to_string(number) + "`";
     ForeignParameter parameter{uses.file, uses.span, {}, {}, {}};
-    parameter.message = name + (uses.is_read ? " is 0: in this dialect it is a variable of the "
-                                               "program, and nothing sets it"
-                                             : " does nothing: in this dialect it is a variable "
-                                               "of the program, and nothing reads it");
+    parameter.message =
+        name + (uses.is_read
+                    ? " is 0: in this dialect it is a variable of the program that nothing sets"
+                    : " has no effect: in this dialect it is a variable of the program that "
+                      "nothing reads");
     parameter.label = "on Fanuc controls: " + std::string(meaning_on_fanuc(number));
     if (is_position_on_fanuc(number)) {
       parameter.help.emplace_back(

@@ -272,13 +272,13 @@ void Loader::follow_blank(FileIndex index, const WorkpieceDirective& directive) 
   }
   const auto file = read_blank_file((*text)->text);
   if (!file) {
-    reporter.error("E7020", directive.file_span, directive.file + " is no STL file",
-                   "nothing of it can be read");
+    reporter.error("E7020", directive.file_span, directive.file + " is not an STL file",
+                   "it cannot be read");
   } else if ((*text)->path.size() > blank_path_max) {
     reporter
         .error("E7002", directive.file_span, "the path of the STL file is too long",
-               "lies too deep")
-        .help.push_back("move it nearer to the program root: its path has at most " +
+               "its path is too long")
+        .help.push_back("move it closer to the program root: its path may have at most " +
                         std::to_string(blank_path_max) + " bytes");
   } else {
     program_->blanks[{index, directive.file}] = {(*text)->path, *file};

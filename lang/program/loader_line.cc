@@ -59,7 +59,7 @@ void Loader::check_line(std::string_view line) {
   const Span whole{0, static_cast<std::uint32_t>(line.size()), 1};
   const bool calls = tree.size() == one && std::holds_alternative<OCall>(tree.back().kind);
   if (is_o_line(line) && !calls) {
-    reporter.error("E2092", whole, "of the O-lines only `call` has a place in a single line",
+    reporter.error("E2092", whole, "`call` is the only O-line that is allowed in a single line",
                    "write a program");
     return;
   }
@@ -78,8 +78,8 @@ void Loader::check_line(std::string_view line) {
   if (defines || std::holds_alternative<IncludeDirective>(only.kind)) {
     reporter.error(
         "E2092", only.span,
-        std::string(defines ? "a function" : "#include") + " has no place in a single line",
-        "write it into a program");
+        std::string(defines ? "a function" : "#include") + " is not allowed in a single line",
+        "write it in a program");
   }
 }
 
@@ -99,8 +99,8 @@ void Loader::check_calls_of_line() {
     const Instruction& instruction = file.code[i];
     if (instruction.op != Op::request) continue;
     if (builtins()[instruction.operand].request != RequestKind::channel_wait) continue;
-    loaded_[0].reporter->error("E2092", file.spans[i], "channel_wait has no place in a single line",
-                               "write a program");
+    loaded_[0].reporter->error("E2092", file.spans[i],
+                               "channel_wait is not allowed in a single line", "write a program");
   }
 }
 

@@ -56,7 +56,7 @@ void RoutineCompiler::fold_default_values(FunctionSignature& signature) {
   bool has_default = false;
   for (FunctionParameter& parameter : signature.parameters) {
     if (has_default && !parameter.initial) {
-      reporter_.error("E3007", parameter.span, "parameters with default values come last",
+      reporter_.error("E3007", parameter.span, "parameters with default values must come last",
                       "no default value");
       return;
     }
@@ -92,7 +92,7 @@ void RoutineCompiler::compile(const Return& statement) {
   const Type result = function_->result;
   if (statement.value && result == Type::none) {
     reporter_.error("E3004", statement.value->span, "a `void` function returns no value",
-                    "superfluous value");
+                    "unnecessary value");
     return;
   }
   if (!statement.value && result != Type::none) {
@@ -213,7 +213,7 @@ std::optional<Callee> RoutineCompiler::find_o_subprogram(const OLabel& label) {
     if (hit) {
       const auto& files = context_.program.files;
       reporter_
-          .error("E7006", label.span, "O" + label.name + " stands in two included files",
+          .error("E7006", label.span, "O" + label.name + " is in two included files",
                  "it is not clear which one is meant")
           .notes.push_back(
               {"in " + files[hit->file]->source.name() + " and in " + files[file]->source.name(),

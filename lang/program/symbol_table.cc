@@ -87,7 +87,7 @@ bool SymbolTable::refuse_ambiguous(std::string_view name, const Span& span, Name
     if (hit) {
       const auto& files = context_.program.files;
       reporter_
-          .error("E7006", span, "`" + std::string(name) + "` stands in two included files",
+          .error("E7006", span, "`" + std::string(name) + "` is in two included files",
                  "it is not clear which one is meant")
           .notes.push_back(
               {"in " + files[*hit]->source.name() + " and " + files[file]->source.name(), {}});

@@ -112,7 +112,8 @@ bool ArrayInstructions::pop_element(std::size_t indices, Element& element, Value
   for (std::size_t i = 0; i < indices; ++i) {
     if (is_integer(index[i]) && index[i] > -0.5 && index[i] < limits[i] - 0.5) continue;
     char text[64];
-    std::snprintf(text, sizeof text, "index %.12g, valid are 0 to %.0f", index[i], limits[i] - 1.0);
+    std::snprintf(text, sizeof text, "index %.12g; valid indices are 0 to %.0f", index[i],
+                  limits[i] - 1.0);
     fault = {"E3011", "index outside the array", text};
     return false;
   }

@@ -156,7 +156,7 @@ void BlockDirectives::order_force_control(const Instruction& instruction) {
     return vm_.fail("E6060", "force control needs a power sensor of the channel's spindle",
                     "not in this channel");
   if (!are_possible(command))
-    return vm_.fail("E6061", "force control cannot take these values", "not these values");
+    return vm_.fail("E6061", "force control does not accept these values", "values not accepted");
   state_.begin_commands(vm_.instruction_origin());
   state_.queue.emit(command);
 }
@@ -237,9 +237,10 @@ bool BlockDirectives::check_file(const std::vector<double>& arguments,
   constexpr double cells_min = 2.0;
   constexpr double size_max_mm = 1e5;
   if (arguments[type] != file_type)
-    return refuse_workpiece("a blank from a file has the type 2", "type");
+    return refuse_workpiece("a blank from a file has type 2", "type");
   if (arguments.size() > file_scale && !(arguments[file_scale] > 0.0))
-    return refuse_workpiece("the scale is above 0: mm for a unit of the file", "scale");
+    return refuse_workpiece("the scale must be above 0; it is the mm per unit of the file",
+                            "scale");
   if (!check_display(arguments)) return false;
   const auto [smallest, largest] = std::minmax_element(size_mm.begin(), size_mm.end());
   if (*smallest >= cells_min * arguments[resolution] && *largest <= size_max_mm) return true;
@@ -249,15 +250,15 @@ bool BlockDirectives::check_file(const std::vector<double>& arguments,
                 *largest > size_max_mm ? "larger than 100 m" : "less than two resolutions thin");
   Diagnostic fault = vm_.diagnostic("E3021", text.data(), "blank of a file");
   fault.help.emplace_back(
-      "STL files have no unit: give mm for a unit of the file as the last argument, 25.4 for "
-      "inches or 1000 for m, or another resolution");
+      "STL files have no unit: give the mm per unit of the file as the last argument (25.4 for "
+      "inches, 1000 for m), or another resolution");
   vm_.fail_with(std::move(fault));
   return false;
 }
 
 bool BlockDirectives::check_display(const std::vector<double>& arguments) {
   if (!(arguments[resolution] > 0.0))
-    return refuse_workpiece("the screen resolution is above 0 mm", "resolution");
+    return refuse_workpiece("the screen resolution must be above 0 mm", "resolution");
   if (arguments[machining] != 0.0 && arguments[machining] != 1.0)
     return refuse_workpiece("the machining type is 0, milling, or 1, turning", "machining type");
   return true;
@@ -289,11 +290,13 @@ bool BlockDirectives::check_workpiece(const std::vector<double>& arguments) {
     return refuse_workpiece("the type is 0, a box, 1, a cylinder, or 2, an STL file", "type");
   if (!check_display(arguments)) return false;
   if (arguments[size_x] <= 0.0 || arguments[size_z] <= 0.0)
-    return refuse_workpiece("sizes are above 0", "size");
-  if (kind == 0.0 && arguments[size_y] <= 0.0) return refuse_workpiece("sizes are above 0", "size");
+    return refuse_workpiece("sizes must be above 0", "size");
+  if (kind == 0.0 && arguments[size_y] <= 0.0)
+    return refuse_workpiece("sizes must be above 0", "size");
   const bool hollow_fits = arguments[size_y] >= 0.0 && arguments[size_y] < arguments[size_x];
   if (kind == 1.0 && !hollow_fits)
-    return refuse_workpiece("the inner diameter lies between 0 and the diameter", "inner diameter");
+    return refuse_workpiece("the inner diameter must be between 0 and the diameter",
+                            "inner diameter");
   return true;
 }
 
@@ -313,7 +316,7 @@ void BlockDirectives::restore_gvector(const Instruction& instruction) {
   const Value text = vm_.stack().pop();
   const auto saved = read_saved_state(text_of(text));
   if (!saved) {
-    return vm_.fail("E3022", "this text is no saved state", "damaged, or of another version");
+    return vm_.fail("E3022", "this text is not a saved state", "damaged, or of another version");
   }
   Request request;
   request.statement = instruction.count != 0;

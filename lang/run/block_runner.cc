@@ -242,7 +242,7 @@ bool BlockRunner::take_computed_word(const ComputedWord& word) {
       break;
   }
   if (!is_integer(value * 10.0) || value < 0.0 || value > 3276.0) {
-    vm_.fail("E4004", "the computed value is no code", "unknown code");
+    vm_.fail("E4004", "the computed value is not a code", "unknown code");
     return false;
   }
   CodeList& list = word.kind == ComputedWord::Kind::g_code ? words.g : words.m;

@@ -53,7 +53,7 @@ Expected<std::uint32_t, Diagnostic> wanted_line(const Source& source, const Sear
   if (lines.size() == 1) return lines.front();
   if (lines.empty())
     return Unexpected<Diagnostic>(no_place(source, "the file has no block " + number));
-  Diagnostic twice = no_place(source, "block " + number + " stands more than once");
+  Diagnostic twice = no_place(source, "block " + number + " appears more than once");
   for (const std::uint32_t line : lines) {
     twice.notes.push_back({"here", source.place(source.words_of_line(line))});
   }
@@ -144,7 +144,7 @@ Expected<StopPlace, Diagnostic> find_place(const Program& program, const SearchT
   const auto line = line_with_code(compiled, *wanted);
   if (!line) {
     return Unexpected<Diagnostic>(no_place(
-        compiled.source, "nothing is executed at or behind line " + std::to_string(*wanted)));
+        compiled.source, "nothing is executed at or after line " + std::to_string(*wanted)));
   }
   return StopPlace{*file, *line, target.calls, target.passes};
 }
@@ -233,7 +233,7 @@ void SearchCollector::take(const Request& request, const Origin& origin) {
 Diagnostic answer_is_unknown(const Program& program, const Origin& origin) {
   Diagnostic unknown;
   unknown.code = "E6041";
-  unknown.message = "the search ends here: what the machine will answer is not known";
+  unknown.message = "the search ends here: the answer of the machine is not known";
   put_at_block(program, origin, unknown);
   return unknown;
 }

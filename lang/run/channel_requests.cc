@@ -70,7 +70,8 @@ std::optional<int> ChannelRequests::channel_of(double number, OwnChannel own) {
     return std::nullopt;
   }
   if (own == OwnChannel::refused && id == state_.channel.id) {
-    vm_.fail("E6031", "this function cannot name the own channel", "this is the own channel");
+    vm_.fail("E6031", "this function cannot name its own channel",
+             "this is the program's own channel");
     return std::nullopt;
   }
   return id;
@@ -80,7 +81,7 @@ std::optional<int> ChannelRequests::mark_of(double number) {
   if (is_integer(number) && number >= 0.0 && number <= mark_max) {
     return static_cast<int>(std::lround(number));
   }
-  vm_.fail("E6023", "marks are the whole numbers 0 to 199", "no mark");
+  vm_.fail("E6023", "marks are the whole numbers 0 to 199", "not a mark");
   return std::nullopt;
 }
 
@@ -172,7 +173,7 @@ void ChannelRequests::terminate() {
   const auto code = vm_.pop_integer("the code of terminate");
   if (!code) return;
   if (*code < terminate_code_min || *code > terminate_code_max) {
-    return vm_.fail("E3009", "the code of terminate lies between 1000 and 9999", "out of range");
+    return vm_.fail("E3009", "the code of terminate must be from 1000 to 9999", "out of range");
   }
   pending_.expect_end(
       vm_.diagnostic("U" + std::to_string(*code), text_of(text), "terminated by the program"));

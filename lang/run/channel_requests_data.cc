@@ -87,7 +87,7 @@ bool ChannelRequests::pop_shared_element(const Instruction& instruction, Request
   for (std::size_t i = 0; i < instruction.count; ++i) {
     if (is_integer(index[i]) && index[i] > -0.5 && index[i] < limits[i] - 0.5) continue;
     vm_.fail("E3011", "index outside the array `" + variable.name + "`",
-             "valid are 0 to " + std::to_string(std::lround(limits[i]) - 1));
+             "valid indices are 0 to " + std::to_string(std::lround(limits[i]) - 1));
     return false;
   }
   const long columns = variable.columns == 0 ? 1 : static_cast<long>(variable.columns);

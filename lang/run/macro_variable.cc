@@ -282,9 +282,10 @@ std::string_view meaning_elsewhere(int number) {
   if (number == 3002) return "the hours of operation";
   if (number == 3011 || number == 3012) return "date and time, which programs do not see";
   if (within(3000, 3999)) return "settings of the control";
-  if (within(4001, 4399)) return "modal information that is not known here";
+  if (within(4001, 4399)) return "modal information that stanok does not have";
   if (within(5001, 5199)) return "a position of an axis that the channel does not have";
-  if (within(5201, 5228)) return "the external work offset, or one of an axis that is not there";
+  if (within(5201, 5228))
+    return "the external work offset, or that of an axis that the channel does not have";
   return {};
 }
 

@@ -105,9 +105,9 @@ Step ProgramRun::next(Command& command) {
 // At the statement that would come next: the run is somewhere in its loop.
 void ProgramRun::fail_endless() {
   vm_.fail_at(vm_.next_span(), "E8005",
-              "a loop without end: " + std::to_string(state_.channel.bounds.steps / 1'000'000) +
+              "an endless loop: " + std::to_string(state_.channel.bounds.steps / 1'000'000) +
                   " million steps without moving, waiting or asking",
-              "it was here then");
+              "it was here at that time");
 }
 
 Step ProgramRun::advance(Command& command, int& work) {
@@ -349,7 +349,7 @@ void ProgramRun::take_feedback(const Answer& answer) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%g", wanted.timeout_s);
   fail_asker(vm_.diagnostic("E5030",
-                            "input " + std::to_string(wanted.input) + " did not go " +
+                            "input " + std::to_string(wanted.input) + " did not turn " +
                                 (wanted.on ? "on" : "off") + " within " + seconds + " s",
                             "the feedback of this output"));
 }

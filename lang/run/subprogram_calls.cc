@@ -191,7 +191,7 @@ NumberedProgramSearch SubprogramCalls::find_numbered(CodeNumber code, int number
   if (!search.rivals) return search;
   const auto& files = vm_.program().files;
   Diagnostic diagnostic =
-      vm_.diagnostic("E7006", "O" + std::to_string(number) + " stands in two included files",
+      vm_.diagnostic("E7006", "O" + std::to_string(number) + " is in two included files",
                      "it is not clear which one is meant");
   diagnostic.notes.push_back({"in " + files[search.rivals->first]->source.name() + " and in " +
                                   files[search.rivals->second]->source.name(),
@@ -232,7 +232,7 @@ void SubprogramCalls::call_macro(const MacroCode& macro) {
 
 void SubprogramCalls::make_modal(const MacroCode& macro) {
   if (modal_) {
-    return vm_.fail("E4013", "a macro is called for each block already", "end it with `G67`");
+    return vm_.fail("E4013", "a macro is already called for each block", "end it with `G67`");
   }
   const auto call = numbered_call(g(65));
   if (call) modal_ = ModalCall{*call, macro, state_.words, {}, false};
@@ -288,7 +288,7 @@ void SubprogramCalls::call_user_code(const MacroCode& macro) {
   const auto found = known.find(code.program);
   if (found == known.end()) {
     return vm_.fail("E7005", "\"" + code.program + "\" is not part of this program",
-                    "a computed code can call only macros that the text calls too");
+                    "a computed code can call only macros that the program also calls by name");
   }
   if (!vm_.check_call_depth()) return;
   Frame frame = subprogram_frame(found->second);

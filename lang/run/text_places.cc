@@ -63,7 +63,7 @@ Contour TextPlaces::contour(int first, int last) {
     BlockWords words;
     const bool plain = inside && read_line(source, next, words);
     if (inside && !plain) {
-      contour.problem = "line " + std::to_string(line) + " of the contour is no plain block";
+      contour.problem = "line " + std::to_string(line) + " of the contour is not a plain block";
       return contour;
     }
     if (inside && !words.empty()) contour.blocks.push_back({words, {vm_.frame().file, line}});
@@ -133,7 +133,7 @@ Contour TextPlaces::blocks_up_to_return(std::uint16_t file, const char* at,
     const std::string_view text = source.line_at(source.offset_of(at));
     if (o_number && program_number(text) == o_number) return contour;
     if (!read_line(source, at, words)) {
-      contour.problem = "its line " + std::to_string(line) + " is no plain block";
+      contour.problem = "its line " + std::to_string(line) + " is not a plain block";
       return contour;
     }
     if (words.m.has(m(99)) || words.m.has(m(30))) return contour;

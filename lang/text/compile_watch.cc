@@ -15,13 +15,13 @@ namespace {
 }  // namespace
 
 void CompileWatch::pass() const {
-  if (interrupted_ && interrupted_()) end_with("E6072", "the loading of the program was cancelled");
+  if (interrupted_ && interrupted_()) end_with("E6072", "loading the program was cancelled");
 }
 
 void CompileWatch::count_statement() {
   pass();
   if (++statements_ > limits::statements)
-    end_with("E8002", "the program has more than 1000000 statements besides plain blocks");
+    end_with("E8002", "the program has more than 1000000 statements in addition to plain blocks");
 }
 
 }  // namespace stanok::lang

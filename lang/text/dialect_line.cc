@@ -61,9 +61,9 @@ DialectLine dialect_line(std::string_view line, const TextRules& usual) {
   if (!dialect) {
     result.problem = "there is no dialect `" + name + "`; write stanok, linuxcnc, fanuc or haas";
   } else if (!system.empty() && (!code_system || !has_systems)) {
-    result.problem = "`" + system + "` is no code system; behind fanuc and haas write A, B or C";
+    result.problem = "`" + system + "` is not a code system; write A, B or C after fanuc or haas";
   } else if (!next_word(rest).empty()) {
-    result.problem = "something stands behind the dialect; write e.g. `(dialect fanuc A)`";
+    result.problem = "there is extra text after the dialect; write e.g. `(dialect fanuc A)`";
   } else {
     rules.dialect = *dialect;
     if (code_system) rules.code_system = *code_system;

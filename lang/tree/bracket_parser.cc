@@ -194,7 +194,7 @@ MaybeExpression BracketParser::parse_bracket_binary(int level) {
 // AND binds stronger than EQ there: `[#1 EQ 0 AND #2 EQ 1]` is not what it looks like.
 bool BracketParser::refuse_chain(const Token& comparison) {
   reporter_.error("E2008", comparison.span, "comparisons do not chain", "second comparison")
-      .help.emplace_back("put each comparison into brackets: `[[#1 EQ 0] AND [#2 EQ 1]]`");
+      .help.emplace_back("put each comparison in brackets: `[[#1 EQ 0] AND [#2 EQ 1]]`");
   return true;
 }
 

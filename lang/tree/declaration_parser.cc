@@ -38,7 +38,7 @@ std::string_view reason_against(std::string_view name) {
   if (name.size() > limits::name_characters) return "a name has at most 64 characters";
   if (is_keyword(wanted)) return "it is a keyword";
   if (is_reserved_word(wanted)) return "it is a reserved word";
-  if (!find_named_address(wanted).empty()) return "it is an address of blocks, as in `dS=0.1`";
+  if (!find_named_address(wanted).empty()) return "it is an address in blocks, as in `dS=0.1`";
   if (find_builtin(wanted) != nullptr || find_builtin_constant(wanted)) return "it is built in";
   if (is_bracket_function(std::string_view(wanted).substr(1))) {
     return "it reads like a word with a function, as in `Xsin[30]`";
@@ -160,7 +160,7 @@ bool DeclarationParser::parse_dimensions(DeclaredItem& item) {
   }
   const std::size_t count = item.dimensions.size() + (item.dimension_from_list ? 1 : 0);
   if (count <= 2 && !(item.dimension_from_list && count > 1)) return true;
-  reporter_.error("E3017", item.span, "an array has one or two dimensions of given size",
+  reporter_.error("E3017", item.span, "an array has one or two dimensions of a given size",
                   "too many dimensions");
   return false;
 }
@@ -177,7 +177,7 @@ bool DeclarationParser::parse_initial(DeclaredItem& item) {
 
 MaybeStatement DeclarationParser::parse_function(Type result, const Token& name) {
   if (!cursor_.at_file_level()) {
-    reporter_.error("E2012", name.span, "a function stands inside braces or O-lines",
+    reporter_.error("E2012", name.span, "a function is inside braces or O-lines",
                     "functions are defined at file level");
     return std::nullopt;
   }

@@ -224,12 +224,12 @@ MaybeStatement DirectiveParser::parse_workpiece(WorkpieceForm form, const Span& 
             "E3005", name,
             text + " takes " + std::to_string(wanted) + " arguments, not " + std::to_string(given),
             "the number of arguments is wrong")
-        .help.push_back(position   ? "write `#workpiece_pos (x, y, z, psi, theta, phi)`"
-                        : has_file ? "write `#workpiece (2, resolution, machining, \"file.stl\", "
-                                     "zero_X, zero_Y, zero_Z)`, and the scale behind it where "
-                                     "the file is not in mm"
-                                   : "write `#workpiece (type, resolution, machining, X, Y, Z, "
-                                     "zero_X, zero_Y, zero_Z)`");
+        .help.push_back(position ? "write `#workpiece_pos (x, y, z, psi, theta, phi)`"
+                        : has_file
+                            ? "write `#workpiece (2, resolution, machining, \"file.stl\", zero_X, "
+                              "zero_Y, zero_Z)`; add the scale at the end if the file is not in mm"
+                            : "write `#workpiece (type, resolution, machining, X, Y, Z, "
+                              "zero_X, zero_Y, zero_Z)`");
     return std::nullopt;
   }
   if (has_file) {
@@ -332,7 +332,7 @@ MaybeStatement DirectiveParser::parse_plane(const Span& name) {
                    (form->has_zero ? ", or " + std::to_string(said + 3) + " with its zero" : ""),
                "the number of values is wrong")
         .help.push_back("write " + std::string(form->example) +
-                        (form->has_zero ? ", with X, Y, Z of its zero behind" : ""));
+                        (form->has_zero ? ", followed by X, Y, Z of its zero" : ""));
     return std::nullopt;
   }
   StatementList blocks = blocks_of(*form, std::move(values), name);

@@ -79,7 +79,7 @@ bool IsoParser::end_iso_in_braces() {
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.at_line_end() || scanner_.character() == '}') return true;
   reporter_
-      .error("E2004", scanner_.here(), "text behind the `;` of an ISO block inside braces",
+      .error("E2004", scanner_.here(), "text after the `;` of an ISO block inside braces",
              "only `}` or a // comment may follow here")
       .help.push_back("put each ISO block on its own line; write comments with // or ( )");
   return false;
@@ -110,7 +110,7 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
   if ((is_digit(c) || c == '.') && !block.words.empty()) {
     reporter_
         .error("E1003", scanner_.here(), "there is a blank inside a number",
-               "a number goes on here")
+               "the number continues here")
         .help.push_back("write the number without blanks, or the missing address");
     return false;
   }
@@ -122,12 +122,12 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
     reporter_
         .error("E2001", scanner_.here(), std::string("a computation with `") + c + "` in a word",
                "needs brackets")
-        .help.push_back("put it into brackets, e.g. `X[#1+5]`");
+        .help.push_back("put it in brackets, e.g. `X[#1+5]`");
     return false;
   }
   if (c == '{') {
-    reporter_.error("E2001", scanner_.here(), "a brace inside a block", "braces hold statements")
-        .help.push_back("a comment stands in parentheses, `(text)`, or behind `;`");
+    reporter_.error("E2001", scanner_.here(), "a brace inside a block", "braces contain statements")
+        .help.push_back("write a comment in parentheses, `(text)`, or after `;`");
     return false;
   }
   Diagnostic& unexpected =
@@ -150,7 +150,7 @@ bool IsoParser::parse_word(IsoBlock& block) {
   if (word.name.letter == 'N' || word.name.letter == 'O') {
     Diagnostic& diagnostic =
         reporter_.error("E2006", scanner_.here(), "a block or program number inside a block",
-                        "must stand at the beginning of the line");
+                        "must be at the beginning of the line");
     const bool inside_number = start > 0 && is_digit(source_.text()[start - 1]);
     if (word.name.letter == 'O' && inside_number)
       diagnostic.help.emplace_back("did you mean the digit 0? This is the letter O");
@@ -180,8 +180,7 @@ bool IsoParser::parse_corner_word(IsoBlock& block) {
   const char letter = upper_case(scanner_.character(1));
   if (!is_corner_word(std::string{',', letter})) {
     reporter_
-        .error("E2001", scanner_.here(2), "behind a comma there must be C, R or A",
-               "a comma between words")
+        .error("E2001", scanner_.here(2), "C, R or A must follow a comma", "a comma between words")
         .help.emplace_back(
             "write `,C` for a chamfer, `,R` for a rounding, `,A` for the angle of a "
             "line");
@@ -245,8 +244,8 @@ bool IsoParser::parse_long_word(IsoBlock& block, std::string_view name) {
   const char letter = upper_case(name[0]);
   if (has_index && (letter == 'G' || letter == 'M')) {
     reporter_
-        .error("E2011", name_span, "`" + std::string(name) + "=` is no word",
-               "a code takes no `=` behind its number")
+        .error("E2011", name_span, "`" + std::string(name) + "=` is not a word",
+               "a code takes no `=` after its number")
         .help.push_back("for spindle 2 write e.g. `M3 $2`");
     return false;
   }

@@ -59,7 +59,7 @@ MaybeExpression MacroLineParser::parse_condition() {
   scanner_.skip_blanks(LineEnds::significant);
   if (scanner_.character() == '[') return brackets_.parse_condition();
   reporter_
-      .error("E2001", scanner_.here(), "the condition of a macro line stands in brackets",
+      .error("E2001", scanner_.here(), "the condition of a macro line must be in brackets",
              "expected `[`")
       .help.emplace_back("write e.g. `IF [#1 EQ 2] GOTO 10`");
   return std::nullopt;
@@ -119,7 +119,7 @@ MaybeStatement MacroLineParser::parse_conditional_return() {
   const bool returns = upper_case(scanner_.character()) == 'M' && scanner_.character(1) == '9' &&
                        scanner_.character(2) == '9' && !is_digit(scanner_.character(3));
   if (returns) return parse_then(branch);
-  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`M99` behind the condition");
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`M99` after the condition");
   return std::nullopt;
 }
 
@@ -205,8 +205,8 @@ bool MacroLineParser::parse_loop_body(While& loop, const Span& opened) {
   if (std::ranges::find(open_loops_, number) != open_loops_.end()) {
     reporter_
         .error("E2013", opened, "`DO" + number + "` inside `DO" + number + "`",
-               "it is not clear which of them `END" + number + "` closes")
-        .help.emplace_back("give each of nested loops a number of its own");
+               "it is not clear which one `END" + number + "` closes")
+        .help.emplace_back("give each nested loop its own number");
     return false;
   }
   open_loops_.push_back(number);
@@ -319,7 +319,7 @@ MaybeExpression MacroLineParser::parse_printed_value() {
                          is_digit(scanner_.character(2)) && scanner_.character(3) == ']';
   if (!formatted) {
     cursor_.report_unexpected(scanner_.peek(LineEnds::significant),
-                              "the digits before and behind the point, as in `[53]`");
+                              "the digits before and after the point, as in `[53]`");
     return std::nullopt;
   }
   const int decimals = scanner_.character(2) - '0';

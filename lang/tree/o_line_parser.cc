@@ -139,7 +139,7 @@ MaybeStatement OLineParser::parse_o_line(int skip_level) {
                               : statement_of(Continue{open.label});
   }
   if (is_closing(keyword)) {
-    reporter_.error("E2013", line_span, "`" + open.text() + "` closes nothing that is open",
+    reporter_.error("E2013", line_span, "`" + open.text() + "` has nothing to close",
                     "no O-line opened this");
     return std::nullopt;
   }
@@ -165,7 +165,7 @@ MaybeStatement OLineParser::parse_program_number(const OLineAhead& line, const S
   const bool inside = !cursor_.at_file_level();
   if (inside || line.label.size() > program_digits_max) {
     reporter_.error("E2012", span,
-                    inside ? "a numbered program stands inside braces or O-lines"
+                    inside ? "a numbered program is inside braces or O-lines"
                            : "a program number has at most 8 digits",
                     "");
     return std::nullopt;
@@ -220,7 +220,7 @@ MaybeStatement OLineParser::parse_o_call(OLabel label) {
 MaybeStatement OLineParser::parse_o_sub(const OpenOLine& open, OLabel label) {
   if (!cursor_.at_file_level()) {
     reporter_.error("E2012", open.span, "`" + open.text() + "` inside braces or other O-lines",
-                    "subprograms stand at file level");
+                    "subprograms belong at file level");
     return std::nullopt;
   }
   if (!finish_o_line()) return std::nullopt;
@@ -323,7 +323,7 @@ void OLineParser::check_skipped_body(const OpenOLine& open, const StatementList&
     reporter_
         .error("E2005", statement.span, "a line without `/` between skipped O-lines",
                "would run without `" + open.text() + "`")
-        .help.push_back("put `/` before all lines up to the one that closes, or before none");
+        .help.push_back("put `/` before all lines up to the closing one, or before none");
     return;
   }
 }

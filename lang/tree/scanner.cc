@@ -118,7 +118,8 @@ std::optional<std::string_view> Scanner::read_parenthesis_comment() {
     if (character() != '(') continue;
     ++inner;
     if (source_.rules().is_fanuc()) continue;
-    reporter_.error("E1008", here(), "a comment in parentheses holds no `(`", "nested comment");
+    reporter_.error("E1008", here(), "a comment in parentheses cannot contain `(`",
+                    "nested comment");
     return std::nullopt;
   }
   if (at_line_end()) {

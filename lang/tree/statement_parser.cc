@@ -53,8 +53,8 @@ bool StatementParser::refuses_remark_in_braces() {
   ++length;
   reporter_
       .error("E2001", scanner_.here(static_cast<std::uint32_t>(length)),
-             "braces hold statements, not a comment", "a text")
-      .help.push_back("a comment stands in parentheses, `(text)`, or behind `;`");
+             "braces contain statements, not a comment", "a text")
+      .help.push_back("write a comment in parentheses, `(text)`, or after `;`");
   scanner_.advance(length);
   return true;
 }

@@ -29,7 +29,7 @@ bool TokenCursor::expect(std::string_view symbol, std::string_view after) {
   if (symbol == ";" && token.span.line != scanner_.line() && scanner_.offset() > 0) {
     const Span end{scanner_.offset() - 1, 1, scanner_.line()};
     reporter_.error("E2001", end, "expected " + wanted + ", found the end of the line",
-                    "`;` is missing behind this");
+                    "`;` is missing after this");
     return false;
   }
   report_unexpected(token, wanted);
@@ -95,9 +95,9 @@ bool TokenCursor::skip_remark() {
   const std::string_view rest = line.substr(0, line.find_first_of("\r\n"));
   if (source_.rules().is_fanuc() && begins_block(rest)) {
     reporter_
-        .error("E2004", scanner_.here(), "a block behind `;` on the same line",
+        .error("E2004", scanner_.here(), "a block after `;` on the same line",
                "`;` ends a block in the dialect fanuc")
-        .help.emplace_back("put each block on its own line; remarks stand in ( )");
+        .help.emplace_back("put each block on its own line; write comments in ( )");
     return false;
   }
   scanner_.skip_line_comment();
@@ -114,14 +114,14 @@ bool TokenCursor::Nesting::allowed() {
 void report_illegal_character(TokenCursor& cursor) {
   const Token token = cursor.scanner().peek(LineEnds::significant);
   Diagnostic& diagnostic = cursor.reporter().error("E1001", token.span, "illegal character",
-                                                   "only comments and strings may hold it");
+                                                   "only comments and strings may contain it");
   // Hyphens, dashes and the minus of Unicode.
   constexpr auto dashes =
       std::to_array<std::string_view>({"\xE2\x80\x90", "\xE2\x80\x91", "\xE2\x80\x92",
                                        "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92"});
   if (std::ranges::find(dashes, token.text) != dashes.end())
     diagnostic.help.emplace_back(
-        "this is a typographic dash; write the minus of the keyboard, `-`");
+        "this is a typographic dash; use the minus sign of the keyboard, `-`");
 }
 
 bool TokenCursor::count_operator(const Span& span) {

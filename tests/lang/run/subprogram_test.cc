@@ -66,7 +66,7 @@ TEST_F(Subprograms, EndWhereTheFeedbackOfAnOutputDoesNotCome) {
   run("G0 X1\nM10\nX2\nM30\n");
   EXPECT_EQ(error.code, "E5030");
   EXPECT_EQ(error.place.line, 2);
-  EXPECT_EQ(error.message, "input 7 did not go off within 2 s");
+  EXPECT_EQ(error.message, "input 7 did not turn off within 2 s");
   EXPECT_EQ(all<Move>().size(), 1u);
   run("M66 P7 L3 Q1\nX2\nM30\n");  // a result, no error
   EXPECT_EQ(error.code, "");

@@ -151,7 +151,7 @@ TEST(ArrayInstructions, RefuseAnIndexOutsideTheArrayAndSayWhichAreValid) {
   stack.push(value_of(3.0));
   EXPECT_FALSE(arrays.execute({Op::element, 1, 0, 0}, fault));
   EXPECT_EQ(fault.code, "E3011");
-  EXPECT_EQ(fault.label, "index 3, valid are 0 to 2");
+  EXPECT_EQ(fault.label, "index 3; valid indices are 0 to 2");
 }
 
 }  // namespace
