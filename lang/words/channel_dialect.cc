@@ -88,8 +88,8 @@ bool may_be_output(const UserCode& code) {
 
 std::string no_output(const std::string& name) {
   return "'" + name +
-         "' is no output; M100 to M899 can be one, M50 to M53, M61 to M68, M70 to M72, and below "
-         "M100 the codes that have no meaning";
+         "' cannot be an output; M100 to M899 can, also M50 to M53, M61 to M68, M70 to M72, and "
+         "the codes below M100 that have no meaning";
 }
 
 // "output 4 on, input 7 within 2 s"; false: it is not that.
@@ -183,7 +183,7 @@ Expected<UserCode, std::string> read_user_code(std::string_view code, std::strin
   UserCode made;
   const std::string name(code);
   if (!read_code_name(code, made)) {
-    return tl::unexpected("'" + name + "' is no G or M code; write it as in G200");
+    return tl::unexpected("'" + name + "' is not a G or M code; write it as in G200");
   }
   if (is_fixed(made.letter, made.number)) {
     return tl::unexpected("'" + name + "' cannot be given another meaning; use a free code");
@@ -193,7 +193,7 @@ Expected<UserCode, std::string> read_user_code(std::string_view code, std::strin
     if (!ours) return tl::unexpected(no_output(name));
     if (read_switched_output(meaning, made)) return made;
     return tl::unexpected("'" + std::string(meaning) +
-                          "' is no output; write it as in \"output 4 on, input 7 within 2 s\"");
+                          "' is not an output; write it as in \"output 4 on, input 7 within 2 s\"");
   }
   const std::size_t blank = meaning.find(' ');
   if (const auto kind = output_kind(meaning.substr(0, blank))) {
@@ -201,7 +201,7 @@ Expected<UserCode, std::string> read_user_code(std::string_view code, std::strin
     made.waits = blank != std::string_view::npos;
     if (!ours) return tl::unexpected(no_output(name));
     if (made.waits && meaning.substr(blank + 1) != "wait") {
-      return tl::unexpected("'" + std::string(meaning) + "' is no kind of output; behind '" +
+      return tl::unexpected("'" + std::string(meaning) + "' is not a kind of output; after '" +
                             std::string(meaning.substr(0, blank)) + "' only 'wait' may follow");
     }
     return made;
@@ -225,23 +225,23 @@ Expected<AddressAlias, std::string> read_address_alias(std::string_view letter,
     return std::ranges::find(axis_words, word) != axis_words.end();
   };
   if (letter.size() != 1 || letter[0] < 'A' || letter[0] > 'Z') {
-    return tl::unexpected(name + " is no single capital letter");
+    return tl::unexpected(name + " is not a single capital letter");
   }
   if (is_axis(letter)) {
-    return tl::unexpected(name + " is an axis of the channel; use a letter that is free");
+    return tl::unexpected(name + " is an axis of the channel; use a free letter");
   }
   const LetterSet taken =
       kind == ChannelKind::lathe ? taken_letters | letters_of("UVW") : taken_letters;
   if ((taken & letter_bit(letter[0])) != 0) {
-    return tl::unexpected(name + " has a meaning in every program; A, B, C and E can be free" +
-                          (kind == ChannelKind::lathe ? "" : ", V and W too"));
+    return tl::unexpected(name + " has a meaning in every program; only A, B, C and E can be free" +
+                          (kind == ChannelKind::lathe ? "" : ", or V and W"));
   }
   const std::string_view known = find_named_address(address);
   if (is_law_address(known)) return AddressAlias{letter[0], std::string(known)};
   if (address.size() > 1 && is_axis(address)) return AddressAlias{letter[0], std::string(address)};
   return tl::unexpected("'" + std::string(address) +
-                        "' is no named address; use one of a feed law, as dS, or an axis word of "
-                        "more than one character");
+                        "' is not a named address; use one of a feed law, such as dS, or an axis "
+                        "word of more than one character");
 }
 
 }  // namespace stanok::lang

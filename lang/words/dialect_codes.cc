@@ -120,7 +120,7 @@ const Code* back_bore() {
   static const Code made = [] {
     Code code = *find_code('G', g_code(87));
     code.number = g_code(77);
-    code.title = "boring from behind";
+    code.title = "back boring";
     return code;
   }();
   return &made;
@@ -145,8 +145,8 @@ constexpr auto functions_of_haas = std::to_array<Code>(
      function_of_haas(m_code(69), "P", CodeAction::switch_output, "output off"),
      function_of_haas(m_code(76), "", CodeAction::only_modal, "display off"),
      function_of_haas(m_code(77), "", CodeAction::only_modal, "display on"),
-     alarm_of_skip(m_code(78), "alarm when the skip found something"),
-     alarm_of_skip(m_code(79), "alarm when the skip found nothing"),
+     alarm_of_skip(m_code(78), "alarm if the skip signal was found"),
+     alarm_of_skip(m_code(79), "alarm if the skip signal was not found"),
      function_of_haas(m_code(130), "", CodeAction::only_modal, "picture on the display")});
 
 // M23 and M24 of Haas lathes: how threads end. On mills they are the builder's.

@@ -7,8 +7,8 @@ namespace stanok::lang {
 namespace {
 
 constexpr auto unsupported_rows = std::to_array<UnsupportedWord>({
-    {"G2.4", "an arc over a point, clockwise", "use G2 with centre or radius"},
-    {"G3.4", "an arc over a point, counter-clockwise", "use G3 with centre or radius"},
+    {"G2.4", "an arc through a point, clockwise", "use G2 with centre or radius"},
+    {"G3.4", "an arc through a point, counter-clockwise", "use G3 with centre or radius"},
     {"G17.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
     {"G18.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
     {"G19.1", "a plane of other axes", "use G17, G18 or G19, the planes of X, Y and Z"},
