@@ -30,41 +30,41 @@ const Keys<ChatterFile>& chatter_keys() {
   static const Keys<ChatterFile> keys = {
       {"kind", at<&F::kind>, required, "", "the cut", one_of({"milling", "turning", "grinding"})},
       {"force", at<&F::process, &P::force_n_per_mm2>, required, "N/mm2",
-       "specific cutting force: tangential; turning: along the thickness of the chip; grinding: "
-       "normal force for a unit of width and layer",
+       "specific cutting force: tangential; turning: along the chip thickness; grinding: normal "
+       "force per unit of width and layer",
        from(1.0, 1e5)},
       {"radial_ratio", at<&F::process, &P::radial_ratio>, optional, "",
-       "milling: radial force as a part of the tangential one", from(0.0, 5.0)},
+       "milling: radial force as a fraction of the tangential force", from(0.0, 5.0)},
       {"teeth", at<&F::process, &P::teeth>, optional, "",
-       "milling: teeth of the tool, evenly spaced", from(1, 100)},
-      {"sense", at<&F::sense>, optional, "", "milling: up, or down (climb)",
+       "milling: number of teeth of the tool, evenly spaced", from(1, 100)},
+      {"sense", at<&F::sense>, optional, "", "milling: up (conventional) or down (climb)",
        one_of({"up", "down"})},
-      {"width", at<&F::width>, optional, "", "milling: width of cut as a part of the diameter",
+      {"width", at<&F::width>, optional, "", "milling: width of cut as a fraction of the diameter",
        from(0.001, 1.0)},
-      {"helix", at<&F::helix_deg>, optional, "deg",
-       "milling, forces along a program: angle of the helix", from(0.0, 70.0)},
+      {"helix", at<&F::helix_deg>, optional, "deg", "milling, forces along a program: helix angle",
+       from(0.0, 70.0)},
       {"edge_force", at<&F::process, &P::edge_n_per_mm>, optional, "N/mm",
-       "milling, forces along a program: tangential force of an edge that takes no chip",
+       "milling, forces along a program: tangential edge force at zero chip thickness",
        from(0.0, 1e4)},
       {"edge_force_radial", at<&F::process, &P::edge_radial_n_per_mm>, optional, "N/mm",
-       "the same, radial", from(0.0, 1e4)},
+       "radial edge force at zero chip thickness", from(0.0, 1e4)},
       {"part_radius", at<&F::process, &P::grinding, &G::part_radius_mm>, optional, "mm",
-       "grinding, needed there: radius of the part", from(0.1, 1e4), "none"},
+       "grinding, required: radius of the part", from(0.1, 1e4), "none"},
       {"wheel_radius", at<&F::process, &P::grinding, &G::wheel_radius_mm>, optional, "mm",
-       "grinding, needed there: radius of the wheel", from(0.1, 1e4), "none"},
+       "grinding, required: radius of the wheel", from(0.1, 1e4), "none"},
       {"wheel_speed", at<&F::process, &P::grinding, &G::wheel_rev_per_min>, optional, "rev/min",
-       "grinding, needed there: speed of the wheel", from(1.0, 1e6), "none"},
+       "grinding, required: speed of the wheel", from(1.0, 1e6), "none"},
       {"contact_length", at<&F::process, &P::grinding, &G::length_mm>, optional, "mm",
-       "grinding: length of the contact of wheel and part; shorter waves are evened out",
+       "grinding: contact length of wheel and part; shorter waves are smoothed out",
        from(0.0, 100.0)},
       {"contact_stiffness", at<&F::process, &P::grinding, &G::stiffness_n_per_mm2>, optional,
-       "N/mm2", "grinding: stiffness of the contact for a unit of width; 0: rigid", from(0.0, 1e7)},
+       "N/mm2", "grinding: contact stiffness per unit of width; 0: rigid", from(0.0, 1e7)},
       {"grinding_ratio", at<&F::process, &P::grinding, &G::grinding_ratio>, optional, "",
-       "grinding: volume of part ground for one of wheel; 0: the wheel does not wear",
+       "grinding ratio: volume removed from the part per volume lost by the wheel; 0: the wheel "
+       "does not wear",
        from(0.0, 1e6)},
       {"mode_x", at<&F::modes_x>, optional, "",
-       "vibrations along the feed; turning: along the thickness of the chip; grinding: along the "
-       "infeed"},
+       "vibrations along the feed; turning: along the chip thickness; grinding: along the infeed"},
       {"mode_y", at<&F::modes_y>, optional, "", "milling: vibrations across the feed"},
   };
   return keys;
@@ -74,8 +74,8 @@ const Keys<VibrationMode>& mode_keys() {
   static const Keys<VibrationMode> keys = {
       {"frequency", at<&VibrationMode::frequency_hz>, required, "Hz", "natural frequency",
        from(1.0, 1e5)},
-      {"damping", at<&VibrationMode::damping>, required, "",
-       "damping ratio; 0.03 is usual, 3 % is written so", from(1e-4, 0.7)},
+      {"damping", at<&VibrationMode::damping>, required, "", "damping ratio; 0.03 (3 %) is usual",
+       from(1e-4, 0.7)},
       {"stiffness", at<&VibrationMode::stiffness_n_per_mm>, required, "N/um", "modal stiffness",
        from(1e-3, 1e5)},
   };
@@ -109,18 +109,18 @@ void check_grinding(const toml::table& table, const CuttingProcess& process, con
 
 void check_modes(const toml::table& table, const CuttingProcess& process, const Scope& scope) {
   if (process.kind != CutKind::milling && !process.modes_y.empty()) {
-    scope.fault(place_of(table, "mode_y"),
-                process.kind == CutKind::turning
-                    ? "a turning cut has vibrations along the thickness of the chip only; give "
-                      "them as [[mode_x]]"
-                    : "grinding has vibrations along the infeed only; give them as [[mode_x]]");
+    scope.fault(
+        place_of(table, "mode_y"),
+        process.kind == CutKind::turning
+            ? "a turning cut has vibrations only along the chip thickness; give them as [[mode_x]]"
+            : "grinding has vibrations only along the infeed; give them as [[mode_x]]");
   }
   const std::size_t count = process.modes_x.size() + process.modes_y.size();
   if (count > VibrationMode::count_max) {
     scope.fault(table.source(),
                 "there are " + std::to_string(count) + " modes; give the " +
                     std::to_string(VibrationMode::count_max) +
-                    " that matter most, those of the least stiffness times damping");
+                    " that matter most: those with the smallest product of stiffness and damping");
   }
   if (count == 0) scope.fault(table.source(), "at least one [[mode_x]] or [[mode_y]] is needed");
 }

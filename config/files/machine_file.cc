@@ -51,11 +51,11 @@ const Keys<TopLevel>& top_level_keys() {
       {"lcm", at<&TopLevel::lcm>, optional, "", "publishing"},
       {"recorder", at<&TopLevel::recorder>, optional, "", "log files"},
       {"entry_limits", at<&TopLevel::entry_limits>, optional, "",
-       "how far values of tools and work offsets may go and change"},
+       "limits of tool and work offset values and of their changes"},
       {"process", at<&TopLevel::process>, optional, "", "force control"},
       {"simulation", at<&TopLevel::simulation>, optional, "", "plant of the simulated drives"},
       {"contact", at<&TopLevel::contacts>, optional, "",
-       "one [[contact]] for each input that a simulated axis switches where it stands"},
+       "one [[contact]] for each input that the position of a simulated axis switches"},
   };
   return keys;
 }
@@ -126,7 +126,7 @@ class MachineReader {
     if (!section.program_encoding.empty() && !is_encoding_of_programs(section.program_encoding)) {
       scope.fault(place_of(*top_.machine, "program_encoding"),
                   "`" + section.program_encoding +
-                      "` is no encoding that contains ASCII; `iconv --list` has the names");
+                      "` is not an encoding that contains ASCII; `iconv --list` shows the names");
     }
     file_.machine.program_encoding = section.program_encoding;
     if (!section.tables.empty()) read_tables_named(section.tables, scope);
@@ -218,7 +218,7 @@ class MachineReader {
                               "its drive has the address of " +
                                   std::string(other.spindle == 0 ? "axis " : "spindle ") +
                                   other.axis + ", " + std::to_string(drive.unit) +
-                                  "; give it its own address or registers");
+                                  "; give this drive its own address or registers");
       }
     }
   }
@@ -233,7 +233,7 @@ class MachineReader {
           "E7010 watchdog_ms is " + std::to_string(drive.watchdog_ms) +
               "; it must be longer than timeout_ms of [drives], " +
               std::to_string(file_.bus.timeout_ms) +
-              ", or the drive stops before the control knows that contact is lost");
+              ", or the drive stops before the control notices the loss of contact");
     }
   }
 

@@ -16,9 +16,10 @@ std::vector<std::string> remarks_on(const MachineFile& machine) {
                       number_text(drive.target_acceleration_max) +
                       " /s2 (acceleration_max x stop_limits), and a drive that is polled every " +
                       std::to_string(machine.bus.poll_ms) + " ms is " + number_text(apart) +
-                      " off when it is told so; following_error_max is " +
+                      " away from its setpoint when the stop reaches it; following_error_max is " +
                       number_text(drive.following_error_max) +
-                      ". Poll it more often, lower one of both, or allow it more");
+                      ". Poll it more often, lower acceleration_max or stop_limits, or raise "
+                      "following_error_max");
   }
   return remarks;
 }

@@ -43,7 +43,7 @@ const Keys<ToolEdge>& tool_keys() {
   static const Keys<ToolEdge> keys = {
       {"number", at<&ToolEdge::number>, required, "", "number of the tool (T, H)", from(1, 32000)},
       {"edge", at<&ToolEdge::edge>, optional, "", "its edge", from(1, 99)},
-      {"name", at<&ToolEdge::name>, optional, "", "name for people"},
+      {"name", at<&ToolEdge::name>, optional, "", "name to display"},
       {"kind", at<&ToolEdge::kind>, optional, "", "shape of the cutting part",
        one_of({"flat", "ball", "bull", "drill", "taper", "insert", "probe"})},
       {"length", at<&ToolEdge::length>, optional, "mm",
@@ -68,8 +68,8 @@ const Keys<ToolEdge>& tool_keys() {
       {"wear_length_x", at<&ToolEdge::wear_length_x>, optional, "mm",
        "added to the length along X"},
       {"wear_radius", at<&ToolEdge::wear_radius>, optional, "mm", "added to the radius"},
-      {"overhang", at<&ToolEdge::overhang>, optional, "mm",
-       "overhang of the tool out of its holder", not_negative},
+      {"overhang", at<&ToolEdge::overhang>, optional, "mm", "overhang of the tool from its holder",
+       not_negative},
       {"orientation", at<&ToolEdge::orientation>, optional, "",
        "orientation of a turning tool: 1 to 9 (G41, G42); 0: none", from(0, 9)},
       {"angle_front", at<&ToolEdge::angle_front>, optional, "deg", "front angle of an insert",
@@ -100,9 +100,9 @@ std::vector<ToolEdge> read_tools(Subtables tools, const TablesConfig& tables, Fa
     ToolEdge edge = edge_to_begin_with(table, base);
     read_table(table, tool_keys(), edge, scope);
     if (!seen.emplace(edge.number, edge.edge).second) {
-      scope.fault(place_of(table, "number"), "edge " + std::to_string(edge.edge) +
-                                                 " of this tool stands twice; give each row its "
-                                                 "own number or edge");
+      scope.fault(place_of(table, "number"),
+                  "edge " + std::to_string(edge.edge) +
+                      " of this tool appears twice; give each row its own number or edge");
     }
     if (edge.corner_radius > edge.radius) {
       scope.fault(place_of(table, "corner_radius"),
@@ -196,7 +196,7 @@ void read_reference_points(Subtable channels, const std::vector<std::string>& ax
     const Scope scope{faults, "reference_point " + std::string(key.str())};
     const int channel = number_of_channel(key.str());
     if (channel == 0) {
-      scope.fault(key.source(), "no number of a channel; write [reference_point.1.G28]");
+      scope.fault(key.source(), "not the number of a channel; write [reference_point.1.G28]");
     } else if (!node.is_table()) {
       scope.fault(node.source(), "not a table; write [reference_point." + std::string(key.str()) +
                                      ".G28] and its axes");
@@ -219,8 +219,9 @@ void read_variables_of_channel(const toml::table& values, std::map<int, double>&
   for (const auto& [key, node] : values) {
     const int number = number_of_variable(key.str());
     if (number == 0) {
-      scope.fault(key.source(),
-                  "no common variable; the numbers are 500 to 999, 3901, 3902 and 10000 to 10499");
+      scope.fault(
+          key.source(),
+          "not a common variable; the numbers are 500 to 999, 3901, 3902 and 10000 to 10499");
       continue;
     }
     detail::read_value(node, {.name = key.str(), .unit = "", .meaning = "common variable"}, scope,
@@ -234,7 +235,7 @@ void read_variables(Subtable channels, TablesConfig& tables, FaultList& faults) 
     const Scope scope{faults, "variable " + std::string(key.str())};
     const int channel = number_of_channel(key.str());
     if (channel == 0 || !node.is_table()) {
-      scope.fault(key.source(), "no table of a channel; write [variable.1] and 500 = 1.5");
+      scope.fault(key.source(), "not the table of a channel; write [variable.1] and 500 = 1.5");
     } else {
       read_variables_of_channel(*node.as_table(), tables.variables[channel], scope);
     }

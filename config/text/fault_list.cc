@@ -63,7 +63,7 @@ void FaultList::throw_if_any() {
   if (found_ > kept_max) {
     faults_.push_back({.file = faults_.back().file,
                        .text = "there are more faults than the " + std::to_string(kept_max) +
-                               " that were kept; correct these first"});
+                               " that are shown; correct these first"});
   }
   throw ConfigError(std::move(faults_));
 }

@@ -65,7 +65,8 @@ std::string range_text(const Allowed& allowed) {
   if (has_min) return number_text(allowed.min) + " or more";
   if (has_max) return number_text(allowed.max) + " or less";
   if (allowed.part_of_path) {
-    return "1 to " + std::to_string(path_part_max) + " bytes, no '/', no '.' or blank at its begin";
+    return "1 to " + std::to_string(path_part_max) +
+           " bytes, no '/', no '.' or blank at its beginning";
   }
   return allowed.direction ? "not 0, 0, 0" : "";
 }
@@ -225,7 +226,7 @@ void read_value(const toml::node& node, const KeyText& key, const Scope& scope, 
   }
   if (key.allowed.direction && !make_unit(numbers)) {
     scope.fault(node.source(), std::string(key.name) + " is " + list_text(numbers) +
-                                   "; it must point somewhere (" + explained(key) + ")");
+                                   "; it must have a direction (" + explained(key) + ")");
     return;
   }
   value = numbers;

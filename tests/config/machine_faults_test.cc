@@ -104,9 +104,9 @@ const Case cases[] = {
      "acceleration, mm/s2, deg/s2)"},
     {"MissingName", 2, "", 1, 1, "[machine]: key 'name' is missing"},
     {"EncodingThatIsNone", 2, "name = \"m\"\nprogram_encoding = \"cp12510\"", 3, 20,
-     "`cp12510` is no encoding that contains ASCII"},
+     "`cp12510` is not an encoding that contains ASCII"},
     {"EncodingWithoutAscii", 2, "name = \"m\"\nprogram_encoding = \"UTF-16\"", 3, 20,
-     "`iconv --list` has the names"},
+     "`iconv --list` shows the names"},
     {"EmptyName", 2, "name = \"\"", 2, 8, "[machine]: name is empty"},
     {"NameOfAnotherFolder", 2, "name = \"../m\"", 2, 8, "[machine]: name is '../m'; it must have"},
     {"NameWithAFolder", 2, "name = \"a/m\"", 2, 8, "no '/'"},
@@ -460,7 +460,8 @@ TEST(MachineFaults, OfTheTablesNameThatFile) {
   ASSERT_EQ(faults.size(), 4U);
   const std::string file = tables.string();
   EXPECT_EQ(to_string(faults[0]), file + ":4:17: tool 1: corner_radius exceeds radius, 3");
-  EXPECT_THAT(to_string(faults[1]), HasSubstr(file + ":6:10: tool 1: edge 1 of this tool stands"));
+  EXPECT_THAT(to_string(faults[1]),
+              HasSubstr(file + ":6:10: tool 1: edge 1 of this tool appears twice"));
   EXPECT_THAT(to_string(faults[2]), HasSubstr(file + ":8:1: offset G54: unknown key 'Y'"));
   EXPECT_THAT(to_string(faults[3]), HasSubstr(file + ":9:9: offset G60: no such work offset"));
 }
