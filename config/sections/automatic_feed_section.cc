@@ -23,11 +23,11 @@ const Keys<AutomaticFeedFile>& automatic_feed_keys() {
       {"level", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::level>, required, "um or W",
        "signal above which the law acts", positive},
       {"release", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::release>, optional, "um or W",
-       "signal below which it lets go", positive, "0.8 level"},
+       "signal below which it releases the feed", positive, "0.8 level"},
       {"feed_min", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::part_min>, required, "",
-       "smallest feed, as part of the programmed one", from(0.01, 0.99)},
+       "smallest feed, as a fraction of the programmed feed", from(0.01, 0.99)},
       {"feed_step", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::part_step>, optional, "",
-       "one increment of the feed, as part of the programmed one", from(0.001, 1.0)},
+       "one increment of the feed, as a fraction of the programmed feed", from(0.001, 1.0)},
       {"path_step", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::path_step_mm>, optional, "mm",
        "path at feed between two increments", positive},
       {"active", at<&AutomaticFeedFile::law, &AutomaticFeedConfig::on_at_start>, optional, "",
@@ -44,11 +44,11 @@ AutomaticFeedConfig read_law(const toml::table& table, const Scope& scope) {
   if (!table.contains("release")) law.release = release_usual * law.level;
   if (law.release > law.level) {
     scope.fault(place_of(table, "release"), "release exceeds level, " + number_text(law.level) +
-                                                "; the law would never let go");
+                                                "; the law would never release the feed");
   }
   if (law.part_min < 1.0 && law.part_step > 1.0 - law.part_min) {
     scope.fault(place_of(table, "feed_step"), "one increment leads below feed_min, " +
-                                                  number_text(law.part_min) + "; take at most " +
+                                                  number_text(law.part_min) + "; use at most " +
                                                   number_text(1.0 - law.part_min));
   }
   return law;
@@ -66,10 +66,12 @@ std::vector<AutomaticFeedConfig> read_automatic_feeds(Subtables laws,
     const toml::table& table = *node.as_table();
     const AutomaticFeedConfig law = read_law(table, inner);
     if (channel.spindles.empty()) {
-      inner.fault(node.source(), "the channel has no spindle whose sensor could form the feed");
+      inner.fault(node.source(),
+                  "the channel has no spindle with a sensor that could control the feed");
     }
     if (std::ranges::find(configs, law.law, &AutomaticFeedConfig::law) != configs.end()) {
-      inner.fault(place_of(table, "law"), "the law stands twice; a channel has one of each");
+      inner.fault(place_of(table, "law"),
+                  "the law appears twice; a channel has at most one of each");
       continue;
     }
     configs.push_back(law);

@@ -41,14 +41,14 @@ const Keys<AxisFile>& axis_keys() {
   static const Keys<AxisFile> keys = {
       {"name", at<&AxisFile::axis, &AxisConfig::name>, required, "",
        "name of the axis in the whole machine (X, X2, C1)"},
-      {"kind", at<&AxisFile::kind>, required, "", "what it does; rotary axes count in deg",
+      {"kind", at<&AxisFile::kind>, required, "", "type of motion; the unit of rotary axes is deg",
        one_of({"linear", "rotary"})},
       {"min", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::position_min>, optional,
-       "mm, deg", "lower end of travel; a rotary axis may have neither end", any, "unlimited"},
+       "mm, deg", "lower end of travel; a rotary axis may have no ends", any, "unlimited"},
       {"max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::position_max>, optional,
        "mm, deg", "upper end of travel", any, "unlimited"},
       {"start", at<&AxisFile::axis, &AxisConfig::start>, optional, "mm, deg",
-       "where the axis stands when a simulation begins, and when a daemon starts for the first "
+       "position of the axis when a simulation begins, and when a daemon starts for the first "
        "time"},
       {"velocity_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::velocity_max>,
        required, "mm/s, deg/s", "highest velocity", limit_of_motion},
@@ -59,7 +59,7 @@ const Keys<AxisFile>& axis_keys() {
       {"rapid_max", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::rapid_max>, optional,
        "mm/s, deg/s", "velocity of rapid moves", limit_of_motion, "velocity_max"},
       {"stop_limits", at<&AxisFile::axis, &AxisConfig::limits, &AxisLimits::stop_limits>, optional,
-       "", "how many times acceleration_max and jerk_max a stop may use", from(1.0, 2.0),
+       "", "multiple of acceleration_max and jerk_max that a stop may use", from(1.0, 2.0),
        "that of [machine]"},
       {"resolution", at<&AxisFile::axis, &AxisConfig::resolution>, optional, "mm, deg",
        "one increment of the position code", positive},
@@ -68,12 +68,13 @@ const Keys<AxisFile>& axis_keys() {
       {"following_error_max", at<&AxisFile::axis, &AxisConfig::following_error_max>, optional,
        "mm, deg", "distance between setpoint and feedback that stops the axis", positive},
       {"modulo", at<&AxisFile::axis, &AxisConfig::modulo_deg>, optional, "deg",
-       "one turn of a rotary axis whose G90 takes the shortest way; 0: counts on", not_negative},
+       "one turn of a rotary axis that takes the shortest way with G90; 0: the position counts on",
+       not_negative},
       {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its home position"},
       {"regulator", at<&AxisFile::controller>, optional, "", "position controller"},
       {"drive", at<&AxisFile::drive>, optional, "", "drive on the bus of [drives]"},
       {"plant", at<&AxisFile::plant>, optional, "",
-       "machine behind the simulated drive: encoder, switches, backlash, friction"},
+       "mechanics of the simulated drive: encoder, switches, backlash, friction"},
   };
   return keys;
 }
@@ -81,20 +82,23 @@ const Keys<AxisFile>& axis_keys() {
 const Keys<HomingFile>& homing_keys() {
   static const Keys<HomingFile> keys = {
       {"order", at<&HomingFile::homing, &HomingConfig::order>, optional, "",
-       "ascending; equal numbers home together; 0: absolute encoder, no move", from(0)},
+       "order of homing, ascending; axes with the same number home together; 0: absolute encoder, "
+       "no move",
+       from(0)},
       {"position", at<&HomingFile::homing, &HomingConfig::position>, optional, "mm, deg",
-       "reading of the axis at its home switch or index pulse"},
+       "position of the axis at its home switch or index pulse"},
       {"velocity", at<&HomingFile::homing, &HomingConfig::velocity>, optional, "mm/s, deg/s",
        "velocity of the search; its sign is the direction"},
       {"velocity_slow", at<&HomingFile::homing, &HomingConfig::velocity_slow>, optional,
-       "mm/s, deg/s", "velocity with which the switch or index pulse is met", positive,
+       "mm/s, deg/s", "velocity of the approach to the switch or index pulse", positive,
        "a tenth of velocity"},
       {"mark", at<&HomingFile::mark>, optional, "",
-       "what ends the search: the home switch, the limit switch on that side, or, for an axis that "
-       "turns, the index pulse",
+       "what ends the search: the home switch, the limit switch on that side or, for a rotary "
+       "axis, the index pulse",
        one_of({"switch", "limit", "index"})},
       {"index", at<&HomingFile::homing, &HomingConfig::index>, optional, "",
-       "the first index pulse of the encoder behind the switch counts, not its edge"},
+       "use the first index pulse of the encoder after the switch instead of the edge of the "
+       "switch"},
   };
   return keys;
 }
@@ -102,14 +106,14 @@ const Keys<HomingFile>& homing_keys() {
 const Keys<ControllerFile>& controller_keys() {
   static const Keys<ControllerFile> keys = {
       {"feedback", at<&ControllerFile::feedback>, optional, "",
-       "where the position loop is closed: in the drive, or in the cycle of the control",
+       "where the position loop is closed: in the drive or in the cycle of the control",
        one_of({"drive", "cycle"})},
       {"kp", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kp>,
        optional, "1/s", "gain of the following error", not_negative},
       {"kd", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kd>,
-       optional, "1/s", "gain of its change in a cycle", not_negative},
+       optional, "1/s", "gain of the change of the following error in a cycle", not_negative},
       {"kint", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kint>,
-       optional, "1/s", "gain of its sum over the cycles", not_negative},
+       optional, "1/s", "gain of the sum of the following error over the cycles", not_negative},
       {"kv", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::kv>,
        optional, "", "gain of the velocity setpoint", not_negative},
       {"ka", at<&ControllerFile::controller, &ControllerConfig::gains, &ControllerGains::ka>,
@@ -137,9 +141,9 @@ const Keys<SpindleFile>& spindle_keys() {
       {"speed_min", of_spindle<&SpindleConfig::speed_min>, optional, "rev/min", "lowest speed",
        not_negative},
       {"acceleration", of_spindle<&SpindleConfig::acceleration>, optional, "rev/min/s",
-       "change of speed; 0: at once", not_negative},
+       "acceleration; 0: immediate", not_negative},
       {"wait_at_speed", of_spindle<&SpindleConfig::wait_at_speed>, optional, "",
-       "whether a feed waits until the spindle has its speed"},
+       "whether a feed waits until the spindle is at speed"},
       {"power_idle", of_spindle<&SpindleConfig::power_idle_w>, optional, "W",
        "power at the highest speed without cutting", not_negative},
       {"encoder", of_spindle<&SpindleConfig::encoder_pulses>, optional, "",
@@ -147,16 +151,16 @@ const Keys<SpindleFile>& spindle_keys() {
       {"axis", of_spindle<&SpindleConfig::axis>, optional, "",
        "name of the rotary [[axis]] it becomes after M902"},
       {"drive", at<&SpindleFile::drive>, optional, "",
-       "its own drive on the bus of [drives]; keys as [axis.drive]"},
+       "its own drive on the bus of [drives]; same keys as [axis.drive]"},
   };
   return keys;
 }
 
 void check_name(const toml::table& table, const std::string& name, const Scope& scope) {
   if (name.empty() || is_axis_name(name)) return;
-  scope.fault(place_of(table, "name"), "'" + name +
-                                           "' is no axis name; use A, B, C, U, V, W, X, Y or Z, "
-                                           "then digits, as in X2");
+  scope.fault(
+      place_of(table, "name"),
+      "'" + name + "' is not an axis name; use A, B, C, U, V, W, X, Y or Z, then digits, as in X2");
 }
 
 void check_travel(const toml::table& table, const AxisConfig& axis, const Scope& scope) {
@@ -164,9 +168,10 @@ void check_travel(const toml::table& table, const AxisConfig& axis, const Scope&
   const bool has_min = table.contains("min");
   const bool has_max = table.contains("max");
   if (has_min != has_max) {
-    scope.fault(place_of(table, has_min ? "min" : "max"),
-                std::string(has_min ? "max" : "min") +
-                    " is missing; give both ends of travel, or none for an unlimited rotary axis");
+    scope.fault(
+        place_of(table, has_min ? "min" : "max"),
+        std::string(has_min ? "max" : "min") +
+            " is missing; give both ends of travel, or neither for an unlimited rotary axis");
   } else if (!has_min && !axis.rotary) {
     scope.fault(table.source(),
                 "keys 'min' and 'max' are missing; a linear axis has ends of travel");
@@ -187,7 +192,7 @@ void check_limits(const toml::table& table, const AxisConfig& axis, const Scope&
                                                   number_text(axis.limits.velocity_max));
   }
   if (axis.modulo_deg > 0.0 && !axis.rotary) {
-    scope.fault(place_of(table, "modulo"), "modulo belongs to a rotary axis; take it out");
+    scope.fault(place_of(table, "modulo"), "modulo is only for rotary axes; remove it");
   }
 }
 
@@ -231,7 +236,7 @@ void check_homing_end(const toml::table& table, const AxisConfig& axis, const Sc
   if (!is_known) return;  // or a fault already
   if (end >= axis.limits.position_min && end <= axis.limits.position_max) return;
   scope.fault(place_of(table, "position"),
-              "E7011 the homing ends at " + number_text(end) + ", outside of the travel from " +
+              "E7011 the homing ends at " + number_text(end) + ", outside the travel from " +
                   number_text(axis.limits.position_min) + " to " +
                   number_text(axis.limits.position_max) + ": no program could start there");
 }
@@ -257,7 +262,7 @@ void read_controller(const toml::table& table, AxisConfig& axis, const Scope& sc
   axis.controller.feedback = channels::FeedbackPlace::cycle;
   if (axis.controller.gains.kp == 0.0) {
     scope.fault(place_of(table, "kp"),
-                "kp is 0; a position loop closed in the cycle needs a gain above 0");
+                "kp is 0; a position loop that is closed in the cycle needs a gain above 0");
   }
 }
 
@@ -326,11 +331,12 @@ SpindleSection read_spindle(const toml::table& table, const std::vector<AxisSect
       std::ranges::find(axes, spindle.axis, [](const AxisSection& one) { return one.axis.name; });
   if (!spindle.axis.empty() && (axis == axes.end() || !axis->axis.rotary)) {
     scope.fault(place_of(table, "axis"),
-                "'" + spindle.axis + "' is no rotary axis of the machine; name an [[axis]]");
+                "'" + spindle.axis +
+                    "' is not a rotary axis of the machine; write the name of an [[axis]]");
   }
   if (file.drive != nullptr && !spindle.axis.empty()) {
     scope.fault(place_of(table, "drive"), "the spindle is axis " + spindle.axis +
-                                              ", whose drive turns it; take one of both out");
+                                              ", whose drive turns it; remove one of the two");
   } else if (file.drive != nullptr) {
     section.drive = read_spindle_drive(*file.drive, spindle, scope.inner("drive"));
   }

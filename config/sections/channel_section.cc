@@ -36,31 +36,31 @@ const Keys<ChannelFile>& channel_keys() {
   static const Keys<ChannelFile> keys = {
       {"id", at<&ChannelFile::channel, &ChannelConfig::id>, required, "",
        "number by which programs and operators call the channel", from(1, 99)},
-      {"name", at<&ChannelFile::channel, &ChannelConfig::name>, required, "", "name for people"},
+      {"name", at<&ChannelFile::channel, &ChannelConfig::name>, required, "", "name to display"},
       {"kind", at<&ChannelFile::kind>, optional, "",
-       "which codes its programs have; a master has no axes and no spindles",
+       "set of codes of its programs; a master has no axes and no spindles",
        one_of({"mill", "lathe", "grind", "master"})},
       {"axes", at<&ChannelFile::axes>, optional, "",
        "names of its [[axis]], at most 8, in the order of displays and messages"},
       {"words", at<&ChannelFile::channel, &ChannelConfig::words>, optional, "",
-       "how its programs call the axes, in the same order", any, "their names"},
+       "names of the axes in its programs, in the same order", any, "their names"},
       {"spindles", at<&ChannelFile::channel, &ChannelConfig::spindles>, optional, "",
        "ids of its [[spindle]]; the first is the master spindle"},
       {"active", at<&ChannelFile::active>, optional, "",
-       "scheme at power-on; may also be written scheme = N", from(1), "the first"},
+       "scheme at power-on; may also be written as scheme = N", from(1), "the first"},
       {"scheme", at<&ChannelFile::schemes>, optional, "", "kinematic schemes", any,
        "scheme 1: cartesian, all axes, zero at 0"},
       {"automatic_feed", at<&ChannelFile::automatic_feeds>, optional, "",
-       "feed laws that the cycle forms from a sensor of the master spindle", any, "none"},
+       "feed laws that the cycle computes from a sensor of the master spindle", any, "none"},
       {"path_tolerance", at<&ChannelFile::channel, &ChannelConfig::path_tolerance_mm>, optional,
-       "mm", "how far the path may leave a corner under G64 without P", not_negative},
+       "mm", "how far the path may deviate from a corner under G64 without P", not_negative},
       {"orientation_tolerance",
        at<&ChannelFile::channel, &ChannelConfig::orientation_tolerance_deg>, optional, "deg",
        "the same for rotary axes", not_negative},
       {"arc_radius_tolerance", at<&ChannelFile::channel, &ChannelConfig::arc_radius_tolerance_mm>,
-       optional, "mm", "how far start and end radius of an arc may differ", not_negative},
+       optional, "mm", "how far the start and end radius of an arc may differ", not_negative},
       {"on_owner_failure", at<&ChannelFile::on_owner_failure>, optional, "",
-       "what a worker does when the channel that started it fails",
+       "what a channel does when the channel that started it fails",
        one_of({"hold", "continue", "reset"})},
       {"probe_input", at<&ChannelFile::channel, &ChannelConfig::probe_input>, optional, "",
        "digital input that is on while the probe of G38.2 to G38.5 touches", from(0, 63), "none"},
@@ -69,39 +69,40 @@ const Keys<ChannelFile>& channel_keys() {
       {"measuring_feed",
        at<&ChannelFile::channel, &ChannelConfig::tool_measuring,
           &lang::ToolMeasuring::feed_mm_per_min>,
-       optional, "mm/min", "feed of `G37` on the last way to the tool setter", positive},
+       optional, "mm/min", "feed of `G37` on the last part of the path to the tool setter",
+       positive},
       {"measuring_before",
        at<&ChannelFile::channel, &ChannelConfig::tool_measuring, &lang::ToolMeasuring::before_mm>,
-       optional, "mm", "where that way begins: so far before the place of `G37`", positive},
+       optional, "mm", "where that part begins: distance before the position of `G37`", positive},
       {"measuring_within",
        at<&ChannelFile::channel, &ChannelConfig::tool_measuring, &lang::ToolMeasuring::within_mm>,
        optional, "mm",
-       "how far from the place of `G37` a tool may touch; not more than measuring_before",
+       "how far from the position of `G37` a tool may touch; not more than measuring_before",
        positive},
       {"dialect", at<&ChannelFile::dialect>, optional, "",
-       "whose meaning its programs have where controls contradict each other",
+       "control whose meaning applies where controls contradict each other",
        one_of({"stanok", "linuxcnc", "fanuc", "haas"})},
       {"code_system", at<&ChannelFile::code_system>, optional, "",
-       "G codes of a lathe in the dialects fanuc and haas, by Fanuc's name",
+       "G codes of a lathe in the dialects fanuc and haas, by the Fanuc name",
        one_of({"A", "B", "C"}), "B"},
       {"plain_corners", at<&ChannelFile::channel, &ChannelConfig::plain_corners>, optional, "",
-       "on lathes in the dialects fanuc and haas: A, C and R of `G1` that are no axes say angle, "
-       "chamfer and rounding without a comma"},
+       "on lathes in the dialects fanuc and haas: A, C and R of `G1`, if they are not axes, are "
+       "angle, chamfer and rounding without a comma"},
       {"tool_change", at<&ChannelFile::channel, &ChannelConfig::tool_change>, optional, "",
        "which word changes the tool", one_of({"m6", "t_word"})},
       {"t_format", at<&ChannelFile::channel, &ChannelConfig::t_format>, optional, "",
-       "what T says: the tool, tool and edge (T0102: edge 2 of tool 1), or tool and offset "
+       "what T selects: the tool, tool and edge (T0102: edge 2 of tool 1), or tool and offset "
        "(T0102: tool 1 with the values of tool 2)",
        one_of({"plain", "tool_edge", "tool_offset"})},
       {"address_alias", at<&ChannelFile::channel, &ChannelConfig::address_alias>, optional, "",
-       "free letters that stand for named addresses (E = \"dS\"): A, B, C, E and, but on a lathe, "
-       "V and W, as far as they are no axes"},
+       "free letters that stand for named addresses (E = \"dS\"): A, B, C, E and, except on a "
+       "lathe, V and W, if they are not axes"},
       {"codes", at<&ChannelFile::channel, &ChannelConfig::codes>, optional, "",
        "G and M codes of the user: the program they call (G200 = \"cycles/groove.nc\", G201 = "
        "\"lib.nc:slot\" for a function of it), or M100 to M899 as output before, after or "
-       "with_motion (M120 = \"before wait\"), or a digital output and its feedback (M11 = "
-       "\"output 4 on, input 7 within 2 s\"), these also M50 to M53, M61 to M68, M70 to M72 and "
-       "below M100 where the code is free"},
+       "with_motion (M120 = \"before wait\"), or a digital output and its feedback (M11 = \"output "
+       "4 on, input 7 within 2 s\"); outputs may also be M50 to M53, M61 to M68, M70 to M72 and "
+       "free codes below M100"},
   };
   return keys;
 }
@@ -122,10 +123,9 @@ lang::TextRules text_rules(const toml::table& table, const ChannelFile& file,
   rules.code_system =
       lang::code_system_called(lang::folded(file.code_system)).value_or(lang::CodeSystem::b);
   if (rules.is_fanuc() && kind == lang::ChannelKind::lathe) return rules;
-  scope.fault(
-      place_of(table, "code_system"),
-      "a code system is one of lathes in the dialects fanuc and haas; take it out, or give the "
-      "channel kind = \"lathe\" and dialect = \"fanuc\"");
+  scope.fault(place_of(table, "code_system"),
+              "a code system is only for lathes in the dialects fanuc and haas; remove it, or give "
+              "the channel kind = \"lathe\" and dialect = \"fanuc\"");
   return rules;
 }
 
@@ -143,16 +143,17 @@ void resolve_axes(const toml::table& table, const ChannelFile& file, const Machi
     const auto& place = place_of(table, "axes", i);
     const int index = static_cast<int>(axis - machine.axes.begin());
     if (axis == machine.axes.end()) {
-      scope.fault(place, "'" + name + "' is no axis of the machine; add an [[axis]] of that name");
+      scope.fault(place,
+                  "'" + name + "' is not an axis of the machine; add an [[axis]] with that name");
     } else if (std::ranges::find(channel.axes, index) != channel.axes.end()) {
-      scope.fault(place, "axis '" + name + "' stands twice in axes; take one out");
+      scope.fault(place, "axis '" + name + "' appears twice in axes; remove one");
     } else {
       channel.axes.push_back(index);
     }
   }
   if (file.axes.size() > motion::axes_max) {
     scope.fault(place_of(table, "axes", motion::axes_max),
-                "more than 8 axes; a channel has at most 8, divide them over two channels");
+                "more than 8 axes; a channel has at most 8: divide them between two channels");
   }
 }
 
@@ -167,13 +168,14 @@ void check_words(const toml::table& table, const ChannelConfig& channel, const S
     const std::string& word = channel.words[i];
     const auto& place = place_of(table, "words", i);
     if (!is_axis_name(word)) {
-      scope.fault(place, "'" + word +
-                             "' is no axis word; use A, B, C, U, V, W, X, Y or Z, then "
-                             "digits, as in X2");
+      scope.fault(
+          place,
+          "'" + word +
+              "' is not an axis word; use A, B, C, U, V, W, X, Y or Z, then digits, as in X2");
     }
     const auto before = channel.words.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(channel.words.begin(), before, word) != before) {
-      scope.fault(place, "word '" + word + "' stands twice; each axis needs its own");
+      scope.fault(place, "word '" + word + "' appears twice; each axis needs its own");
     }
   }
 }
@@ -226,16 +228,16 @@ void check_dialect_keys(const toml::table& table, const ChannelConfig& channel,
                         const Scope& scope) {
   if (channel.plain_corners && channel.kind != lang::ChannelKind::lathe) {
     scope.fault(place_of(table, "plain_corners"),
-                "plain_corners has a meaning on lathes only; take it out, or give the channel "
-                "kind = \"lathe\"");
+                "plain_corners has a meaning only on lathes; remove it, or give the channel kind = "
+                "\"lathe\"");
   }
   const lang::ToolMeasuring& measuring = channel.tool_measuring;
   if (measuring.within_mm > measuring.before_mm) {
     const char* const key =
         table.contains("measuring_within") ? "measuring_within" : "measuring_before";
     scope.fault(place_of(table, key),
-                "measuring_within is larger than measuring_before: the tool would touch while it "
-                "comes at rapid; make measuring_before the larger one");
+                "measuring_within is larger than measuring_before: the tool would touch in rapid; "
+                "make measuring_before the larger one");
   }
 }
 
@@ -243,9 +245,9 @@ void check_master(const toml::table& table, const ChannelConfig& channel, const 
   if (channel.kind == lang::ChannelKind::master) {
     for (const char* key : {"axes", "words", "spindles", "scheme", "active"}) {
       if (!table.contains(key)) continue;
-      scope.fault(place_of(table, key), std::string(key) +
-                                            " has no meaning in a master channel, which has no "
-                                            "axes; take it out");
+      scope.fault(
+          place_of(table, key),
+          std::string(key) + " has no meaning in a master channel, which has no axes; remove it");
     }
   } else if (channel.axes.empty()) {
     scope.fault(place_of(table, "axes"),

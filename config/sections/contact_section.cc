@@ -17,9 +17,9 @@ const Keys<ContactFile>& contact_keys() {
        "digital input that it switches on", from(0, 63)},
       {"axis", at<&ContactFile::axis>, required, "", "axis whose position switches it"},
       {"from", at<&ContactFile::contact, &SimulatedContact::from>, optional, "mm or deg",
-       "smallest position at which it is on", any, "the travel's end"},
+       "smallest position at which it is on", any, "the end of travel"},
       {"to", at<&ContactFile::contact, &SimulatedContact::to>, optional, "mm or deg",
-       "greatest position at which it is on", any, "the travel's end"},
+       "largest position at which it is on", any, "the end of travel"},
   };
   return keys;
 }
@@ -31,14 +31,14 @@ SimulatedContact read_contact(const toml::table& table,
   const auto axis = std::ranges::find(axes, file.axis, &channels::AxisConfig::name);
   if (axis == axes.end() && !file.axis.empty()) {
     scope.fault(place_of(table, "axis"),
-                "'" + file.axis + "' is no axis of the machine; write the name of an [[axis]]");
+                "'" + file.axis + "' is not an axis of the machine; write the name of an [[axis]]");
   }
   file.contact.axis = static_cast<int>(axis - axes.begin());
   if (!table.contains("from") && !table.contains("to")) {
     scope.fault(table.source(), "neither from nor to is given; the input would always be on");
   }
   if (file.contact.from > file.contact.to) {
-    scope.fault(place_of(table, "to"), "to lies below from, " + number_text(file.contact.from) +
+    scope.fault(place_of(table, "to"), "to is below from, " + number_text(file.contact.from) +
                                            "; the input would never be on");
   }
   return file.contact;

@@ -35,23 +35,23 @@ inline constexpr auto of_drive = at<&DriveFile::section, &DriveSection::drive, M
 const Keys<DriveFile>& drive_keys() {
   static const Keys<DriveFile> keys = {
       {"address", of_drive<&AxisDriveConfig::unit>, optional, "", "Modbus unit of the drive",
-       from(1, 247), "place of the axis in the file; spindle n: 200 + n"},
+       from(1, 247), "number of the axis in the file; spindle n: 200 + n"},
       {"kind", at<&DriveFile::kind>, optional, "",
        "what the drive follows: a position, a velocity, or only the command to run (spindles)",
        one_of({"position", "velocity", "on_off"}),
        "position; velocity where the cycle closes the loop and for spindles"},
       {"write", at<&DriveFile::write>, optional, "",
-       "function by which registers are written: 23 together with a read, 16, or 6, one by one",
+       "Modbus function that writes registers: 23 (together with a read), 16, or 6 (one by one)",
        one_of({"fc23", "fc16", "fc06"})},
       {"read_gap", of_drive<&AxisDriveConfig::gap_max>, optional, "",
-       "registers of no use that may be read along to save a request", from(0, 100)},
+       "number of unused registers that may be read to save a request", from(0, 100)},
       {"registers", at<&DriveFile::registers>, optional, "",
-       "where the blocks of the standard map begin: control, status"},
+       "first registers of the blocks of the standard map: control, status"},
       {"scales", at<&DriveFile::scales>, optional, "",
        "units of the registers: position, velocity"},
       {"map", at<&DriveFile::map>, optional, "",
-       "registers of a drive that has another map, quantity by quantity"},
-      {"bits", at<&DriveFile::bits>, optional, "", "places of bits in its words"},
+       "registers of a drive with a different map, quantity by quantity"},
+      {"bits", at<&DriveFile::bits>, optional, "", "positions of bits in its words"},
       {"words", at<&DriveFile::words>, optional, "",
        "control words of a drive that does not speak CiA 402"},
       {"watchdog_ms", of_drive<&AxisDriveConfig::watchdog_ms>, optional, "ms",
@@ -59,9 +59,9 @@ const Keys<DriveFile>& drive_keys() {
        "than timeout_ms of [drives]; 0: not known",
        from(0, 60000)},
       {"brake_time", at<&DriveFile::section, &DriveSection::brake_s>, optional, "s",
-       "time the brake takes to close or open", not_negative},
+       "time that the brake takes to close or open", not_negative},
       {"power_time", at<&DriveFile::section, &DriveSection::power_s>, optional, "s",
-       "time the drive takes to take the axis over", not_negative},
+       "time that the drive takes to take over the axis", not_negative},
   };
   return keys;
 }
@@ -100,16 +100,18 @@ const Keys<WordFile>& word_keys() {
   static const Keys<WordFile> keys = {
       {"stop", at<&WordFile::stop>, required, "", "control word that stops the drive",
        from(0, 65535)},
-      {"run", at<&WordFile::run>, required, "", "control word that lets it run", from(0, 65535)},
+      {"run", at<&WordFile::run>, required, "", "control word that lets the drive run",
+       from(0, 65535)},
       {"run_reverse", at<&WordFile::run_reverse>, optional, "",
-       "control word that lets it run backwards; the velocity is then written without sign",
+       "control word that lets the drive run backwards; the velocity is then written without a "
+       "sign",
        from(0, 65535), "none"},
       {"reset", at<&WordFile::reset>, optional, "", "control word that clears a fault",
        from(0, 65535), "none"},
       {"running", at<&WordFile::running>, optional, "",
-       "[mask, value]: it runs when the status word under the mask has the value", any},
+       "[mask, value]: the drive runs when the masked status word has this value", any},
       {"fault", at<&WordFile::fault>, optional, "",
-       "[mask, value]: it has a fault when the status word under the mask has the value", any},
+       "[mask, value]: the drive has a fault when the masked status word has this value", any},
   };
   return keys;
 }
@@ -174,16 +176,17 @@ void require(const RegisterField& field, const char* name, const char* why, cons
 void check_map(const toml::table& table, const AxisDriveConfig& drive, DriveLoad load,
                const Scope& scope) {
   const RegisterMap& map = drive.map;
-  require(map.control_word, "control_word", "every drive is told to run and to stop", table, scope);
+  require(map.control_word, "control_word", "every drive needs a command to run and to stop", table,
+          scope);
   if (drive.kind == DriveKind::on_off) return;
-  require(map.status_word, "status_word", "the drive must say whether it runs", table, scope);
+  require(map.status_word, "status_word", "the drive must report whether it runs", table, scope);
   if (drive.kind == DriveKind::position) {
     require(map.target_position, "target_position", "a position drive follows it", table, scope);
   } else {
     require(map.target_velocity, "target_velocity", "a velocity drive follows it", table, scope);
   }
   if (load == DriveLoad::axis)
-    require(map.position, "position", "an axis must say where it is", table, scope);
+    require(map.position, "position", "an axis must report its position", table, scope);
 }
 
 void check_written_fields(const toml::table& table, const AxisDriveConfig& drive,
@@ -194,7 +197,7 @@ void check_written_fields(const toml::table& table, const AxisDriveConfig& drive
     if (!field.exists()) continue;
     if (field.words == 2 && drive.requests == RequestStyle::write_single) {
       scope.fault(place_of(table, "write"),
-                  "fc06 writes one register at a time, which tears a value of 32 bits; use fc16, "
+                  "fc06 writes one register at a time, which splits a value of 32 bits; use fc16, "
                   "or a target of 16 bits");
     }
     for (std::size_t earlier = 0; earlier < k; ++earlier) {
@@ -212,7 +215,7 @@ void check_written_fields(const toml::table& table, const AxisDriveConfig& drive
 void refuse_axis_keys(const toml::table& table, const Scope& scope) {
   for (const char* key : {"brake_time", "power_time"}) {
     if (table.contains(key))
-      scope.fault(place_of(table, key), std::string(key) + " belongs to an axis; take it out");
+      scope.fault(place_of(table, key), std::string(key) + " belongs to an axis; remove it");
   }
 }
 
@@ -247,7 +250,7 @@ void read_drive(const toml::table& table, DriveLoad load, DriveSection& section,
   drive.requests = request_style(file.write);
   if (file.map != nullptr && file.registers != nullptr) {
     scope.fault(place_of(table, "registers"),
-                "registers belongs to the standard map; take it out, or take out map");
+                "registers belongs to the standard map; remove registers or map");
   }
   drive.map = read_map(file, load, scope);
   if (file.words != nullptr) drive.words = read_words(*file.words, scope.inner("words"));

@@ -35,13 +35,13 @@ const Keys<BusFile>& bus_keys() {
       {"port", at<&BusFile::bus, &BusConfig::port>, optional, "", "modbus-tcp: port",
        from(1, 65535)},
       {"device", at<&BusFile::bus, &BusConfig::device>, optional, "",
-       "modbus-rtu: serial device, required there"},
+       "modbus-rtu: serial device, required"},
       {"baud", at<&BusFile::bus, &BusConfig::baud>, optional, "1/s", "modbus-rtu: bits per second",
        from(1200, 4e6)},
       {"poll_ms", at<&BusFile::bus, &BusConfig::poll_ms>, optional, "ms",
        "time between two exchanges", from(1, 1000)},
       {"timeout_ms", at<&BusFile::bus, &BusConfig::timeout_ms>, optional, "ms",
-       "time without a good answer after which a drive counts as lost", from(1, 60000)},
+       "time without a valid answer after which a drive counts as lost", from(1, 60000)},
   };
   return keys;
 }
@@ -56,23 +56,22 @@ const Keys<LcmFile>& lcm_keys() {
 const Keys<RecorderFile>& recorder_keys() {
   static const Keys<RecorderFile> keys = {
       {"directory", at<&RecorderFile::directory>, optional, "", "where logs are written", any,
-       "below the state directory"},
+       "in the state directory"},
       {"size_mb", at<&RecorderFile::size_mb>, optional, "MB",
-       "size of one log file before the next begins; at most a quarter of logs_max_gb",
-       from(1, 1e6)},
+       "size at which the next log file begins; at most a quarter of logs_max_gb", from(1, 1e6)},
       {"flight_s", at<&RecorderFile::flight_s>, optional, "s",
-       "how much is kept in memory and written to a file when a fault stops the machine; 0: "
-       "nothing",
+       "length of the record that is kept in memory and written to a file when a fault stops the "
+       "machine; 0: none",
        from(0, 600)},
       {"logs_max_gb", at<&RecorderFile::logs_max_gb>, optional, "GB",
-       "size of all logs and flight files of the machine together: the oldest are removed; 0: no "
-       "bound",
+       "total size of the logs and flight files of the machine; the oldest are removed; 0: no "
+       "limit",
        from(0, 1e6)},
       {"logs_max_days", at<&RecorderFile::logs_max_days>, optional, "d",
-       "age above which they are removed; 0: no bound", from(0, 36500)},
+       "age above which they are removed; 0: no limit", from(0, 36500)},
       {"free_space_min_gb", at<&RecorderFile::free_space_min_gb>, optional, "GB",
-       "what they leave free on their disk: the oldest are removed, and where that is not enough "
-       "nothing is logged; 0: nothing",
+       "space that they leave free on their disk: the oldest are removed, and if that is not "
+       "enough, nothing is logged; 0: none",
        from(0, 1e6)},
   };
   return keys;
@@ -82,26 +81,26 @@ const Keys<channels::EntryLimits>& entry_limits_keys() {
   using Limits = channels::EntryLimits;
   static const Keys<Limits> keys = {
       {"touch_off_max", at<&Limits::touch_off_max>, optional, "mm, deg",
-       "a work offset or tool length that changes by more than this by touching off must be "
-       "confirmed",
+       "touching off that changes a work offset or tool length by more than this must be confirmed",
        not_negative},
       {"change_max", at<&Limits::change_max>, optional, "mm, deg",
-       "a work offset or tool length other than 0 that an operator changes by more than this, by "
-       "its new value, must be confirmed",
+       "a new value of a work offset or tool length other than 0 that changes it by more than this "
+       "must be confirmed",
        not_negative},
       {"tool_length_min", at<&Limits::tool_length_min_mm>, optional, "mm",
        "smallest length of a tool along Z; lengths that are measured against a reference tool may "
        "be negative",
-       any, "0; with a lathe channel, whose tools point either way, -tool_length_max"},
+       any, "0; with a lathe channel, whose tools point in both directions, -tool_length_max"},
       {"tool_length_max", at<&Limits::tool_length_max_mm>, optional, "mm",
-       "largest length of a tool along Z; along X and Y, and of its overhang, the magnitude",
+       "largest length of a tool along Z; largest magnitude of its lengths along X and Y and of "
+       "its overhang",
        positive},
       {"tool_radius_max", at<&Limits::tool_radius_max_mm>, optional, "mm",
        "largest radius of a tool", positive},
       {"wear_max", at<&Limits::wear_max_mm>, optional, "mm",
        "largest magnitude of the wear of a length or radius", positive},
       {"offset_max", at<&Limits::offset_max_mm>, optional, "mm",
-       "largest magnitude of a work offset along a linear axis; of a rotary axis it is a whole "
+       "largest magnitude of a work offset along a linear axis; for a rotary axis it is a whole "
        "turn, or its travel",
        positive, "the largest magnitude of min and max of the axis, and tool_length_max"},
   };
@@ -123,31 +122,30 @@ const Keys<MachineSection>& machine_keys() {
       {"cycle_us", at<&MachineSection::cycle_us>, optional, "us", "real-time cycle",
        from(100, 20000)},
       {"catch_up_max", at<&MachineSection::catch_up_max>, optional, "",
-       "periods that may pass without a cycle until the path comes to rest behind them",
+       "number of missed periods that are permitted; after more, the path comes to rest",
        from(0, 100)},
       {"stop_limits", at<&MachineSection::stop_limits>, optional, "",
-       "how many times acceleration_max and jerk_max of its axes a stop may use", from(1.0, 2.0)},
+       "multiple of acceleration_max and jerk_max of its axes that a stop may use", from(1.0, 2.0)},
       {"stop_time_max", at<&MachineSection::stop_time_max_s>, optional, "s",
-       "power is removed from axes that still move so long after a stop; 0: twice what the slowest "
-       "axis or spindle takes, and a second",
+       "time after a stop at which power is removed from axes that still move; 0: twice the time "
+       "of the slowest axis or spindle, plus one second",
        from(0.0, 3600.0)},
       {"request_age_max", at<&MachineSection::request_age_max_s>, optional, "s",
-       "a command that begins motion is refused when it was given so long ago", from(0.1, 60.0)},
+       "age above which a command that begins motion is refused", from(0.1, 60.0)},
       {"tables", at<&MachineSection::tables>, optional, "",
        "file with tools and offsets at first start"},
       {"tables_write_protected", at<&MachineSection::tables_write_protected>, optional, "",
        "programs cannot write tools and offsets"},
       {"program_size_max", at<&MachineSection::program_size_max_mb>, optional, "MiB",
-       "text of a program with all its files", from(1, 4096)},
+       "largest size of a program with all its files", from(1, 4096)},
       {"program_steps_max", at<&MachineSection::program_steps_max_m>, optional, "million",
-       "steps that a program may compute without moving, waiting or asking; of check and "
-       "interpret, "
-       "steps of a run",
+       "steps that a program may compute without moving, waiting or asking; for check and "
+       "interpret, steps of a run",
        from(1, 1'000'000)},
       {"program_encoding", at<&MachineSection::program_encoding>, optional, "",
        "encoding of program files that are not UTF-8, by its name in iconv: cp1251, cp866, "
        "iso-8859-1",
-       any, "none: what is not UTF-8 becomes U+FFFD"},
+       any, "none: text that is not UTF-8 becomes U+FFFD"},
   };
   return keys;
 }
@@ -166,19 +164,19 @@ const Keys<SimulationSection>& simulation_keys() {
        optional, "", "their damping", positive},
       {"resonance_frequency",
        at<&SimulationSection::simulation, &SimulationConfig::resonance_frequency_hz>, optional,
-       "Hz", "natural frequency of the load on its spring behind them; 0: none", not_negative},
+       "Hz", "natural frequency of the load on its spring after them; 0: none", not_negative},
       {"resonance_damping",
        at<&SimulationSection::simulation, &SimulationConfig::resonance_damping>, optional, "",
        "its damping", not_negative},
       {"outputs_to_inputs",
        at<&SimulationSection::simulation, &SimulationConfig::outputs_to_inputs>, optional, "",
-       "outputs of programs come back as inputs of the same number"},
-      {"cutting", at<&SimulationSection::cutting>, optional, "", "the cut behind the spindle", any,
-       "there is none"},
+       "outputs of programs return as inputs with the same number"},
+      {"cutting", at<&SimulationSection::cutting>, optional, "", "the cut at the spindle", any,
+       "none"},
       {"tool", at<&SimulationSection::tools>, optional, "",
-       "one [[simulation.tool]] for each tool that is not what the tables say"},
+       "one [[simulation.tool]] for each tool that differs from the tables"},
       {"tool_setter", at<&SimulationSection::setter>, optional, "",
-       "a disc that switches probe_input where a tool touches it", any, "there is none"},
+       "a disc that switches probe_input when a tool touches it", any, "none"},
   };
   return keys;
 }

@@ -12,22 +12,22 @@ struct PlantFile {
 const Keys<PlantFile>& axis_plant_keys() {
   static const Keys<PlantFile> keys = {
       {"encoder", at<&PlantFile::encoder>, optional, "",
-       "whether the drive knows its position at power-on, or counts from where it stands",
+       "whether the drive knows its position at power-on or counts from wherever it is then",
        one_of({"absolute", "incremental"})},
       {"home_switch_from", at<&PlantFile::plant, &AxisSimulation::home_switch_from>, optional,
-       "mm, deg", "the home switch is active from here"},
+       "mm, deg", "lower end of the home switch"},
       {"home_switch_to", at<&PlantFile::plant, &AxisSimulation::home_switch_to>, optional,
-       "mm, deg", "the home switch is active up to here"},
+       "mm, deg", "upper end of the home switch"},
       {"limit_switch_negative", at<&PlantFile::plant, &AxisSimulation::limit_negative>, optional,
-       "mm, deg", "the limit switch of this end is active here and below"},
+       "mm, deg", "the limit switch of this end is active at and below this position"},
       {"limit_switch_positive", at<&PlantFile::plant, &AxisSimulation::limit_positive>, optional,
-       "mm, deg", "the limit switch of this end is active here and above"},
+       "mm, deg", "the limit switch of this end is active at and above this position"},
       {"index_position", at<&PlantFile::plant, &AxisSimulation::index_position>, optional,
-       "mm, deg", "where one of the index pulses of the encoder is"},
+       "mm, deg", "position of one index pulse of the encoder"},
       {"index_pitch", at<&PlantFile::plant, &AxisSimulation::index_pitch>, optional, "mm, deg",
-       "from one index pulse to the next; 0: there are none", not_negative},
+       "distance between index pulses; 0: none", not_negative},
       {"backlash", at<&PlantFile::plant, &AxisSimulation::backlash>, optional, "mm, deg",
-       "play between the motor with the encoder and the load with the switches", not_negative},
+       "backlash between the motor with the encoder and the load with the switches", not_negative},
       {"friction", at<&PlantFile::plant, &AxisSimulation::dry_friction>, optional, "mm/s2, deg/s2",
        "deceleration by dry friction", not_negative},
   };
@@ -40,7 +40,7 @@ void check_home_switch(const toml::table& table, const AxisSimulation& plant, co
   if (has_from != has_to) {
     scope.fault(place_of(table, has_from ? "home_switch_from" : "home_switch_to"),
                 std::string(has_from ? "home_switch_to" : "home_switch_from") +
-                    " is missing; give both ends of the switch, or none");
+                    " is missing; give both ends of the switch, or neither");
   } else if (has_from && plant.home_switch_from >= plant.home_switch_to) {
     scope.fault(place_of(table, "home_switch_from"),
                 "home_switch_from is " + number_text(plant.home_switch_from) +

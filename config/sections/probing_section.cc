@@ -6,7 +6,7 @@
 namespace stanok::config {
 namespace {
 
-constexpr std::string_view as_table = "as the table has it";
+constexpr std::string_view as_table = "as in the tables";
 
 const Keys<RealTool>& real_tool_keys() {
   static const Keys<RealTool> keys = {
@@ -32,8 +32,8 @@ const Keys<ToolSetterConfig>& tool_setter_keys() {
        from(1, 99)},
       {"x", at<&C::x>, required, "mm",
        "middle of its upper face: reading of X with the spindle nose there"},
-      {"y", at<&C::y>, required, "mm", "the same of Y"},
-      {"z", at<&C::z>, required, "mm", "the same of Z"},
+      {"y", at<&C::y>, required, "mm", "the same for Y"},
+      {"z", at<&C::z>, required, "mm", "the same for Z"},
       {"diameter", at<&C::diameter>, required, "mm", "diameter of the disc", positive},
       {"height", at<&C::height>, optional, "mm", "height of the disc", positive},
   };
@@ -72,7 +72,7 @@ ToolSetterConfig read_tool_setter(const toml::table& table, const channels::Mach
       std::ranges::find(machine.channels, setter.channel, &channels::ChannelConfig::id);
   if (channel == machine.channels.end() || channel->probe_input < 0) {
     scope.fault(place_of(table, "channel"), "channel " + std::to_string(setter.channel) +
-                                                " has no probe_input that it could switch");
+                                                " has no probe_input; add one to the channel");
   }
   return setter;
 }

@@ -30,53 +30,55 @@ const Keys<ProcessFile>& process_keys() {
       {"power_lag", at<&F::control, &C::power_lag_s>, optional, "s",
        "lag of the power sensor, with half a poll of its bus", positive},
       {"power_min", at<&F::control, &C::power_min_w>, optional, "W",
-       "the feed controller holds its feed where the setpoint means less power than this, which "
-       "the "
-       "sensor cannot tell",
+       "below this power of the setpoint, which the sensor cannot measure, the feed controller "
+       "holds its feed",
        not_negative},
       {"air_part", at<&F::control, &C::air_part>, optional, "",
-       "below this part of the commanded power the tool counts as out of the cut", from(0.01, 0.9)},
+       "below this fraction of the commanded power the tool counts as out of the cut",
+       from(0.01, 0.9)},
       {"power_answer", at<&F::control, &C::power_answer_s>, optional, "s",
-       "time in which the power must answer a change of the feed in the cut, beyond half a "
+       "time in which the power must follow a change of the feed in the cut, in addition to half a "
        "revolution and three lags; if it does not, the sensor counts as stuck",
        from(0.0, 10.0)},
       {"air_time", at<&F::control, &C::air_time_s>, optional, "s",
-       "longest air cut at working feed: a force that is missing for longer, in the air or at "
-       "feed_max, is told (W615)",
+       "longest air cut at working feed; a force that is missing for longer, in the air or at "
+       "feed_max, is reported (W615)",
        positive},
       {"lighter_max", at<&F::control, &C::lighter_max>, optional, "",
-       "part by which the cut may become lighter from its entry on; a power that shows more of it "
-       "counts as that of a sensor that has lost gain (A4011); 0: any",
+       "fraction by which the cut may become lighter after its entry; if the power drops by more, "
+       "the sensor counts as having lost gain (A4011); 0: no check",
        from(0.0, 0.95)},
       {"gaps_per_turn", at<&F::control, &C::gaps_per_turn>, optional, "",
-       "evenly spaced gaps of the workpiece, or teeth of the tool, in a turn of the spindle, where "
-       "cuts are interrupted; 0: they are looked for",
+       "for interrupted cuts: evenly spaced gaps of the workpiece, or teeth of the tool, per "
+       "revolution of the spindle; 0: the control finds their number",
        from(0, 8)},
       {"idle_settle", at<&F::control, &C::idle_settle_s>, optional, "s",
        "time at speed before the idle power is taken", not_negative},
       {"idle_capture", at<&F::control, &C::idle_capture_s>, optional, "s",
        "time over which the idle power is averaged", positive},
       {"idle_coulomb_part", at<&F::control, &C::idle_coulomb_part>, optional, "",
-       "part of the idle power that grows with the speed; the rest grows with its square",
+       "fraction of the idle power that grows with the speed; the rest grows with its square",
        from(0.0, 1.0)},
       {"gain", at<&F::control, &C::gain>, optional, "",
-       "gain of the feed controller, times the dead time of chip and sensor", from(0.01, 1.0)},
+       "gain of the feed controller times the dead time of chip and sensor", from(0.01, 1.0)},
       {"feed_exponent", at<&F::control, &C::feed_exponent>, optional, "",
        "y of the cutting force, P_z = C t S^y", from(0.3, 1.5)},
       {"feed_lag", at<&F::control, &C::feed_lag_s>, optional, "s",
        "lag of the feed drives, for oscillations of the force", not_negative},
       {"on_sensor_fault", at<&F::on_sensor_fault>, optional, "",
-       "what the feed does when the power cannot be trusted", one_of({"hold", "feed_min"})},
+       "reaction of the feed when the power cannot be trusted", one_of({"hold", "feed_min"})},
       {"vibration_level", at<&F::control, &C::vibration_level_um>, optional, "um",
-       "permissible vibration; 0: vibration does not act", not_negative},
+       "permitted vibration; 0: vibration has no effect", not_negative},
       {"vibration_release", at<&F::control, &C::vibration_release>, optional, "",
-       "part of the level below which the amplifier is quiet again", from(0.1, 1.0)},
+       "fraction of the level below which the vibration has no effect again", from(0.1, 1.0)},
       {"reduced_mass", at<&F::control, &C::reduced_mass_kg>, optional, "kg",
        "mass of the oscillating system", not_negative},
       {"oscillation_frequency", at<&F::control, &C::oscillation_hz>, optional, "Hz",
-       "frequency of the force oscillation that is formed from the vibration", not_negative},
+       "frequency of the force oscillation that the control forms from the vibration",
+       not_negative},
       {"oscillation_reserve", at<&F::control, &C::oscillation_reserve>, optional, "",
-       "amplitude of that oscillation over the one that just quenches", from(1.0, 3.0)},
+       "amplitude of that oscillation divided by the smallest one that quenches the vibration",
+       from(1.0, 3.0)},
   };
   return keys;
 }
@@ -90,12 +92,13 @@ const Keys<CuttingFile>& cutting_keys() {
   using F = CuttingFile;
   using C = CuttingConfig;
   static const Keys<F> keys = {
-      {"channel", at<&F::cutting, &C::channel>, optional, "", "whose tool cuts", from(1, 99)},
+      {"channel", at<&F::cutting, &C::channel>, optional, "", "channel whose tool cuts",
+       from(1, 99)},
       {"specific_force", at<&F::cutting, &C::specific_force_n>, optional, "N",
        "C of P_z = C t S^y (HB / hardness)^e: depth 1 mm, feed 1 mm per revolution", positive},
       {"feed_exponent", at<&F::cutting, &C::feed_exponent>, optional, "", "y", from(0.3, 1.5)},
       {"hardness", at<&F::cutting, &C::hardness_hb>, optional, "HB",
-       "for which specific_force holds", positive},
+       "hardness for which specific_force is valid", positive},
       {"hardness_exponent", at<&F::cutting, &C::hardness_exponent>, optional, "", "e",
        not_negative},
       {"efficiency", at<&F::cutting, &C::efficiency>, optional, "",
@@ -106,11 +109,11 @@ const Keys<CuttingFile>& cutting_keys() {
        "how often the sensors are read where the drives are ideal", from(1, 1000)},
       {"vibration", at<&F::cutting, &C::vibration_um>, optional, "um",
        "amplitude of the self-oscillation in the cut; 0: none", not_negative},
-      {"vibration_frequency", at<&F::cutting, &C::vibration_hz>, optional, "Hz", "its frequency",
-       from(20.0, 400.0)},
-      {"vibration_mass", at<&F::cutting, &C::vibration_mass_kg>, optional, "kg", "its reduced mass",
-       positive},
-      {"stock", at<&F::stock>, required, "", "the workpiece, section by section from its face on"},
+      {"vibration_frequency", at<&F::cutting, &C::vibration_hz>, optional, "Hz",
+       "frequency of the self-oscillation", from(20.0, 400.0)},
+      {"vibration_mass", at<&F::cutting, &C::vibration_mass_kg>, optional, "kg",
+       "reduced mass of the self-oscillation", positive},
+      {"stock", at<&F::stock>, required, "", "sections of the workpiece, starting at its face"},
   };
   return keys;
 }
@@ -118,10 +121,10 @@ const Keys<CuttingFile>& cutting_keys() {
 const Keys<StockSection>& stock_keys() {
   static const Keys<StockSection> keys = {
       {"z", at<&StockSection::z_mm>, required, "mm",
-       "where the section begins, in the frame of the program; it reaches to the next one"},
-      {"radius", at<&StockSection::radius_mm>, required, "mm", "radius of the workpiece there",
-       positive},
-      {"hardness", at<&StockSection::hardness_hb>, optional, "HB", "hardness of its material",
+       "where the section begins, in the coordinates of the program; it ends at the next one"},
+      {"radius", at<&StockSection::radius_mm>, required, "mm",
+       "radius of the workpiece in this section", positive},
+      {"hardness", at<&StockSection::hardness_hb>, optional, "HB", "hardness of the material",
        positive},
   };
   return keys;
@@ -175,10 +178,10 @@ CuttingConfig read_cutting(const toml::table& table, const channels::MachineConf
     StockSection section{.hardness_hb = cutting.hardness_hb};
     read_table(row, stock_keys(), section, scope.inner("stock"));
     if (!cutting.stock.empty() && section.z_mm >= cutting.stock.back().z_mm) {
-      scope.fault(place_of(row, "z"),
-                  "sections go from the face on to smaller z; this one is not "
-                  "below the one before, " +
-                      number_text(cutting.stock.back().z_mm));
+      scope.fault(
+          place_of(row, "z"),
+          "sections go from the face to smaller z; this one is not below the previous one, " +
+              number_text(cutting.stock.back().z_mm));
     }
     cutting.stock.push_back(section);
   }

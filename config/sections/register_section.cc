@@ -24,22 +24,23 @@ constexpr std::array<Quantity, 17> quantities = {{
     {"target_position", &RegisterMap::target_position, "mm, deg", "written: target position"},
     {"target_velocity", &RegisterMap::target_velocity, "mm/s, deg/s, rev/min",
      "written: target velocity"},
-    {"heartbeat", &RegisterMap::heartbeat, "", "written: changes with every exchange"},
+    {"heartbeat", &RegisterMap::heartbeat, "",
+     "written: heartbeat that changes with every exchange"},
     {"status_word", &RegisterMap::status_word, "", "status word"},
     {"position", &RegisterMap::position, "mm, deg", "actual position"},
     {"velocity", &RegisterMap::velocity, "mm/s, deg/s, rev/min", "actual velocity"},
     {"following_error", &RegisterMap::following_error, "mm, deg",
-     "the drive's own demand minus its position"},
+     "setpoint of the drive minus its position"},
     {"power", &RegisterMap::power, "W", "electrical power"},
     {"vibration", &RegisterMap::vibration, "um", "amplitude of vibration"},
     {"vibration_frequency", &RegisterMap::vibration_frequency, "Hz", "frequency of vibration"},
     {"fault_code", &RegisterMap::fault_code, "", "number of the fault; 0: none"},
     {"heartbeat_echo", &RegisterMap::heartbeat_echo, "",
-     "the heartbeat of the exchange; without it a drive that answers old values is not noticed"},
-    {"inputs", &RegisterMap::inputs, "", "word with the bits of switches"},
+     "heartbeat of the exchange; without it, a drive that answers with old values is not noticed"},
+    {"inputs", &RegisterMap::inputs, "", "word with the bits of the switches"},
     {"index_position", &RegisterMap::index_position, "mm, deg",
      "position latched at the last index pulse"},
-    {"index_count", &RegisterMap::index_count, "", "index pulses so far"},
+    {"index_count", &RegisterMap::index_count, "", "number of index pulses so far"},
     {"temperature", &RegisterMap::temperature, "deg C", "temperature of the motor"},
 }};
 
@@ -64,7 +65,7 @@ const Keys<FieldFile>& field_keys() {
        one_of({"high_first", "low_first"})},
       {"scale", at<&FieldFile::scale>, optional, "1/unit",
        "increments per unit; negative: counts the other way", any, "of the standard map"},
-      {"offset", at<&FieldFile::offset>, optional, "", "increments at 0"},
+      {"offset", at<&FieldFile::offset>, optional, "", "increments at position 0"},
   };
   return keys;
 }
@@ -97,7 +98,7 @@ const std::array<Bit, 7>& drive_bits() {
       {"brake_closed", at<&BitFile::brake_closed>, &DriveBits::brake_closed,
        "status word: the brake is closed", "14; with map or words: -1"},
       {"referenced", at<&BitFile::referenced>, &DriveBits::referenced,
-       "status word: the position belongs to the machine; -1: with an absolute encoder always",
+       "status word: the drive is referenced; -1: always, with an absolute encoder",
        "15; with map or words: -1"},
       {"limit_negative", at<&BitFile::limit_negative>, &DriveBits::limit_negative,
        "inputs: limit switch at the negative end", "0"},
@@ -125,10 +126,10 @@ void check_field(const toml::table& table, const FieldFile& file, const Scope& s
                 "width is " + std::to_string(file.width) + "; it must be 16 or 32 bits");
   }
   if (file.scale == 0.0)
-    scope.fault(place_of(table, "scale"), "scale is 0; write increments per unit");
+    scope.fault(place_of(table, "scale"), "scale is 0; write the number of increments per unit");
   if (file.width == 32 && file.address == 65535) {
     scope.fault(place_of(table, "address"),
-                "address is 65535; a value of 32 bits has no second register there");
+                "address is 65535; a value of 32 bits has no second register after it");
   }
 }
 

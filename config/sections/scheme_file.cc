@@ -72,8 +72,8 @@ class SchemeReader {
   int find_axis(std::string_view name, const toml::source_region& place) {
     const int axis = axes_.find(name);
     if (axis < 0) {
-      scope_.fault(place, "'" + std::string(name) + "' is no axis of the channel; its axes are " +
-                              axes_.list());
+      scope_.fault(place, "'" + std::string(name) +
+                              "' is not an axis of the channel; its axes are " + axes_.list());
     }
     return axis;
   }
@@ -98,7 +98,7 @@ class SchemeReader {
       known.push_back(key.str());
       if (!is_type_known()) continue;
       scope_.fault(node.source(), std::string(key.str()) + " belongs to a scheme of type " +
-                                      owners + "; take it out");
+                                      owners + "; remove it");
     }
     refuse_unknown_keys(table_, known, scope_);
   }
@@ -161,7 +161,7 @@ class SchemeReader {
       const int axis = find_axis(file_.axes[i], place);
       if (axis < 0) continue;
       if (takes_part(scheme(), axis)) {
-        scope_.fault(place, axis_text(file_.axes[i]) + " stands twice in axes; take one out");
+        scope_.fault(place, axis_text(file_.axes[i]) + " appears twice in axes; remove one");
       } else {
         scheme().axes.push_back(axis);
       }
@@ -179,11 +179,11 @@ class SchemeReader {
       const int axis = find_axis(parked.axis, place);
       if (axis < 0) continue;
       if (takes_part(scheme(), axis)) {
-        scope_.fault(place, axis_text(parked.axis) +
-                                " takes part and is parked at once; take it out of axes or of "
-                                "[[parked]]");
+        scope_.fault(
+            place, axis_text(parked.axis) +
+                       " takes part and is parked as well; remove it from axes or from [[parked]]");
       } else if (is_parked(axis)) {
-        scope_.fault(place, axis_text(parked.axis) + " is parked twice; take one out");
+        scope_.fault(place, axis_text(parked.axis) + " is parked twice; remove one");
       }
       check_travel(axis, parked.parking.position, place_of(table, "position"));
       check_velocity(axis, parked.parking.velocity, place_of(table, "velocity"));
@@ -276,8 +276,7 @@ class SchemeReader {
       if (axis < 0 || !value) continue;
       if (!takes_part(scheme(), axis)) {
         scope_.fault(key.source(), axis_text(key.str()) +
-                                       " does not take part; a parked axis has "
-                                       "no zero, take it out");
+                                       " does not take part; a parked axis has no zero: remove it");
       }
       scheme().zero[axis] = *value;
     }

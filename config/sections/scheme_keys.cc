@@ -57,11 +57,11 @@ const Keys<SchemeFile>& scheme_keys() {
       {"type", at<&SchemeFile::scheme, &SchemeConfig::type>, required, "",
        "kind of transformation (docs/integrator/kinematics.md)", known_types()},
       {"axes", at<&SchemeFile::axes>, required, "",
-       "axes that take part, by the channel's words or the machine's names"},
+       "axes that take part, by their words in the channel or their names in the machine"},
       {"zero", at<&SchemeFile::zero>, optional, "mm, deg",
        "position of the scheme's base in machine axes, per axis that takes part"},
       {"retract", at<&SchemeFile::retract>, optional, "mm, deg",
-       "machine positions to go to, in this order, before axes are parked"},
+       "machine positions to move to, in this order, before axes are parked"},
       {"parked", at<&SchemeFile::parked>, optional, "",
        "axes that do not take part, in the order in which they are parked; see below"},
   };
@@ -89,12 +89,12 @@ const Keys<ParkedFile>& parked_keys() {
   static const Keys<ParkedFile> keys = {
       {"axis", at<&ParkedFile::axis>, required, "", "axis that is parked"},
       {"position", at<&ParkedFile::parking, &Parking::position>, optional, "mm, deg",
-       "machine position where it stands"},
+       "machine position at which it is parked"},
       {"velocity", at<&ParkedFile::parking, &Parking::velocity>, optional, "mm/s, deg/s",
        "velocity of the parking move; 0: rapid", not_negative},
       {"brake", at<&ParkedFile::parking, &Parking::brake>, optional, "",
-       "whether its brake is closed there"},
-      {"drive", at<&ParkedFile::drive>, optional, "", "what its drive does there",
+       "whether its brake is closed while it is parked"},
+      {"drive", at<&ParkedFile::drive>, optional, "", "what its drive does while it is parked",
        one_of({"off", "on"})},
   };
   return keys;

@@ -25,13 +25,13 @@ inline constexpr auto of_field = at<&SignalFile::signal, &SignalConfig::field, M
 
 const Keys<SignalFile>& signal_keys() {
   static const Keys<SignalFile> keys = {
-      {"kind", at<&SignalFile::kind>, required, "", "what it is for programs",
+      {"kind", at<&SignalFile::kind>, required, "", "kind of signal in programs",
        one_of({"digital_input", "digital_output", "analog_input", "analog_output"})},
       {"number", at<&SignalFile::signal, &SignalConfig::number>, required, "",
        "its number in programs: 0 to 63 digital, 0 to 15 analog", from(0, 63)},
       {"address", at<&SignalFile::signal, &SignalConfig::unit>, required, "",
        "Modbus unit of the module", from(1, 247)},
-      {"table", at<&SignalFile::table>, required, "", "where the module has it",
+      {"table", at<&SignalFile::table>, required, "", "where it is in the module",
        one_of({"coil", "discrete_input", "holding_register", "input_register"})},
       {"register", of_field<&RegisterField::address>, required, "",
        "coil, input or register, counted from 0", from(0, 65535)},
@@ -47,7 +47,7 @@ const Keys<SignalFile>& signal_keys() {
        one_of({"high_first", "low_first"})},
       {"scale", of_field<&RegisterField::scale>, optional, "1/unit",
        "analog: increments per unit of the value in programs"},
-      {"offset", of_field<&RegisterField::offset>, optional, "", "analog: increments at 0"},
+      {"offset", of_field<&RegisterField::offset>, optional, "", "analog: increments at value 0"},
   };
   return keys;
 }
@@ -85,7 +85,7 @@ void check(const toml::table& table, const SignalFile& file, const Scope& scope)
                 "width is " + std::to_string(file.width) + "; it must be 16 or 32 bits");
   }
   if (signal.field.scale == 0.0)
-    scope.fault(place_of(table, "scale"), "scale is 0; write increments per unit");
+    scope.fault(place_of(table, "scale"), "scale is 0; write the number of increments per unit");
 }
 
 SignalConfig read_signal(const toml::table& table, const Scope& scope) {

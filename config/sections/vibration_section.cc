@@ -11,16 +11,16 @@ using drives::VibrationSensorConfig;
 const Keys<VibrationSensorConfig>& vibration_sensor_keys() {
   static const Keys<VibrationSensorConfig> keys = {
       {"spindle", at<&VibrationSensorConfig::spindle>, required, "",
-       "number of the spindle that it sits on", from(1, 16)},
+       "number of the spindle on which it is mounted", from(1, 16)},
       {"address", at<&VibrationSensorConfig::unit>, required, "", "Modbus unit of the sensor",
        from(1, 247)},
       {"register", at<&VibrationSensorConfig::first_register>, required, "",
-       "register with the count of samples taken so far; the samples follow, the oldest first",
+       "register with the number of samples taken so far; the samples follow, oldest first",
        from(0, 65000)},
-      {"count", at<&VibrationSensorConfig::count>, optional, "", "samples in the block",
+      {"count", at<&VibrationSensorConfig::count>, optional, "", "number of samples in the block",
        from(1, VibrationSensorConfig::count_max)},
       {"rate", at<&VibrationSensorConfig::rate_hz>, optional, "Hz", "samples per second", positive},
-      {"scale", at<&VibrationSensorConfig::scale>, optional, "1/um", "increments of a sample",
+      {"scale", at<&VibrationSensorConfig::scale>, optional, "1/um", "increments per unit",
        positive},
   };
   return keys;

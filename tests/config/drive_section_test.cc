@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "[axis.drive.map]\ncontrol_word = {address=0}\n"
                   "status_word={address=1}\ntarget_position={address=2}\n"
                   "position={address=4, scale=0}\n",
-                  ":20:28: ", "scale is 0; write increments per unit"},
+                  ":20:28: ", "scale is 0; write the number of increments per unit"},
         FaultCase{"NothingToFollow",
                   "[axis.drive.map]\ncontrol_word = {address=0}\n"
                   "status_word={address=1}\nposition={address=4}\n",
@@ -298,7 +298,7 @@ INSTANTIATE_TEST_SUITE_P(
                   ":19:18: ", "a spindle follows a velocity, or is on or off"},
         FaultCase{"SpindleWithABrake",
                   "[[spindle]]\nid = 1\nspeed_max = 1\ndrive = { brake_time = 1 }\n",
-                  ":19:24: ", "brake_time belongs to an axis; take it out"},
+                  ":19:24: ", "brake_time belongs to an axis; remove it"},
         FaultCase{"OutputOnAnInput",
                   "[[signal]]\nkind=\"digital_output\"\nnumber=1\naddress=2\n"
                   "table=\"discrete_input\"\nregister=1\n",
