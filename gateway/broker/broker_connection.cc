@@ -32,7 +32,7 @@ BrokerConnection::BrokerConnection(const BrokerOptions& options, const Will& wil
     : begun_(std::chrono::steady_clock::now()) {
   constexpr bool keeps_nothing = true;
   client_.reset(mosquitto_new(nullptr, keeps_nothing, this));
-  if (client_ == nullptr) throw BrokerError("no client of the broker can be made");
+  if (client_ == nullptr) throw BrokerError("cannot create a client of the broker");
   configure(options, will);
   check(mosquitto_connect_async(client_.get(), options.host.c_str(), options.port, keepalive_s),
         options.host + ":" + std::to_string(options.port));

@@ -38,7 +38,7 @@ void Publisher::run(const std::stop_token& stop) {
     } catch (const std::exception& error) {
       if (was_connected_) backoff.reset();
       if (backoff.is_first() || was_connected_)
-        spdlog::warn("broker {}:{}: {}; tried again", options_.host, options_.port, error.what());
+        spdlog::warn("broker {}:{}: {}; trying again", options_.host, options_.port, error.what());
       backoff.wait(stop);
     }
   }

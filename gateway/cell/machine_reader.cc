@@ -71,7 +71,7 @@ asio::awaitable<void> MachineReader::run() {
     }
     connection_->close();
     show(topic::state, {{"connected", false}});
-    if (ended != told) spdlog::warn("{}: {}; tried again", address_.name, ended);
+    if (ended != told) spdlog::warn("{}: {}; trying again", address_.name, ended);
     told = ended;
     asio::steady_timer pause(executor_, again_after);
     co_await pause.async_wait(asio::as_tuple(asio::use_awaitable));
@@ -97,8 +97,8 @@ asio::awaitable<void> MachineReader::follow() {
 asio::awaitable<void> MachineReader::greet() {
   const json hello = co_await next_message();
   if (hello.value("method", "") != "hello")
-    throw std::runtime_error("what listens at " + address_.socket.string() +
-                             " has no place for the gateway, or is no daemon");
+    throw std::runtime_error("the program that listens at " + address_.socket.string() +
+                             " has no free connection for the gateway, or is not a daemon");
   json role{{"role", "observer"}, {"name", "stanok-gateway"}};
   static_cast<void>(co_await ask("session.role", std::move(role)));
   const auto asked = Clock::now();
@@ -116,7 +116,7 @@ asio::awaitable<json> MachineReader::ask(std::string method, json parameters) {
   std::string line = protocol::request_line(id, method, parameters);
   line.pop_back();
   if (!co_await connection_->send(std::move(line)))
-    throw std::runtime_error("the connection has ended");
+    throw std::runtime_error("the connection was closed");
   while (true) {
     json message = co_await next_message();
     if (message.value("id", json()) != id) {
@@ -135,9 +135,9 @@ asio::awaitable<json> MachineReader::next_message() {
     if (const auto alive = waits.lock(); alive && !error) alive->close();
   });
   const auto line = co_await connection_->next_line();
-  if (!line) throw std::runtime_error("the connection has ended");
+  if (!line) throw std::runtime_error("the connection was closed");
   json message = protocol::json_from_text(*line);
-  if (!message.is_object()) throw std::runtime_error("what the daemon says is no JSON");
+  if (!message.is_object()) throw std::runtime_error("the answer of the daemon is not JSON");
   co_return message;
 }
 
@@ -158,7 +158,7 @@ asio::awaitable<void> MachineReader::read_history() {
   } catch (const DatabaseError& error) {
     // The daemon remembers them, and is asked again.
     is_history_new_ = true;
-    spdlog::error("{}: events cannot be stored, tried again: {}", address_.name, error.what());
+    spdlog::error("{}: cannot store events, trying again: {}", address_.name, error.what());
   }
   json list = json::array();
   for (const json& alarm : standing.at("alarms"))

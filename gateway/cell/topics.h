@@ -42,15 +42,15 @@ inline constexpr std::array topics{
           "connected, on, idle, channels: state, program_status, held_by"},
     Topic{topic::alarms, TopicKind::state, "when they change",
           "alarms: channel, code, text, file, line, reaction, remedy"},
-    Topic{topic::program, TopicKind::state, "when it changes, at the rate",
+    Topic{topic::program, TopicKind::state, "when it changes, at most at the rate",
           "channels: program, file, line, block, situation, g_codes, m_codes, work_offset, "
           "coolant, tool, spindles: id, direction, commanded_rev_min, remaining_s, override"},
-    Topic{topic::positions, TopicKind::state, "when they change, at the rate",
+    Topic{topic::positions, TopicKind::state, "when they change, at most at the rate",
           "channels: position, to_go, situation, units, diameter, feed_mm_min"},
     Topic{topic::parts, TopicKind::state, "when a run has ended",
-          "programs: runs that ended well since the outbox began"},
+          "programs: runs that ended without error since the outbox was created"},
     Topic{topic::tools, TopicKind::state, "when a run has ended",
-          "tools: seconds in running programs since the outbox began"},
+          "tools: seconds in running programs since the outbox was created"},
     Topic{event::run_begun, TopicKind::event, "once", "channel, number, program, version"},
     Topic{event::run_ended, TopicKind::event, "once",
           "channel, number, program, version, begun_s, ended_s, time_s, path_mm, blocks, ok, end, "
@@ -60,8 +60,8 @@ inline constexpr std::array topics{
     Topic{event::tool_use, TopicKind::event, "once, with the end of a run", "tool, use_s, total_s"},
     Topic{event::measurement, TopicKind::event, "once", "channel, number, cycle, text"},
     Topic{event::lost, TopicKind::event, "once",
-          "first, last: numbers given up by the outbox; or channel, what, count: entries that the "
-          "daemon had forgotten"},
+          "first, last: numbers that the outbox discarded; or channel, what, count: entries that "
+          "the daemon had discarded"},
 };
 
 // "cell/mill3/state", "cell/mill3/event/alarm", "cell/gateway".

@@ -19,9 +19,9 @@ const PostgresFunctions& load() {
   void* const module = dlopen(module_file().c_str(), RTLD_NOW | RTLD_LOCAL);
   const void* const functions = module == nullptr ? nullptr : dlsym(module, "stanok_postgres");
   if (functions == nullptr)
-    throw DatabaseError("stanok has no PostgreSQL here (" +
+    throw DatabaseError("PostgreSQL is not available here (" +
                         std::string(dlerror()) +  // NOLINT(concurrency-mt-unsafe): of this thread
-                        "); install all of stanok and libpq5, or name a file of SQLite");
+                        "); install all of stanok and libpq5, or use an SQLite file");
   return *static_cast<const PostgresFunctions*>(functions);
 }
 

@@ -46,8 +46,8 @@ const Query* find_query(std::string_view name) {
 std::unique_ptr<History> open_history(const std::string& database) {
   if (!is_server(database) && access(database.c_str(), F_OK) != 0)
     throw std::runtime_error("there is no history " + database +
-                             "; --database (stanok) and --history (stanok-web) name it, as "
-                             "stanok-gateway --history does");
+                             "; name it with --database (stanok) or --history (stanok-web), as "
+                             "with stanok-gateway --history");
   return std::make_unique<History>(database);
 }
 

@@ -103,7 +103,7 @@ void History::migrate() {
   const std::size_t version = rows.empty() ? 0 : std::stoul(*rows[0][0]);
   if (version > newest)
     throw DatabaseError("the history has version " + std::to_string(version) +
-                        ", made by a newer stanok; this one knows " + std::to_string(newest));
+                        ", created by a newer stanok; this one supports " + std::to_string(newest));
   for (std::size_t step = version; step < newest; ++step)
     for (const std::string& statement : migrations().at(step)) database_->run(statement);
   if (rows.empty())

@@ -32,7 +32,7 @@ void HistoryWriter::run(const std::stop_token& stop) {
       serve(stop);
     } catch (const std::exception& error) {
       if (has_stored_) backoff.reset();
-      if (backoff.is_first()) spdlog::warn("history: {}; tried again", error.what());
+      if (backoff.is_first()) spdlog::warn("history: {}; trying again", error.what());
       backoff.wait(stop);
     }
   }
@@ -41,7 +41,7 @@ void HistoryWriter::run(const std::stop_token& stop) {
 void HistoryWriter::serve(const std::stop_token& stop) {
   Outbox outbox(outbox_file_);
   History history(database_);
-  spdlog::info("history: the database is there");
+  spdlog::info("history: the database is available");
   auto forgets = std::chrono::steady_clock::now();
   while (!stop.stop_requested()) {
     const auto events = outbox.behind(outbox.position(consumer), at_once_max);

@@ -60,7 +60,7 @@ void SparkplugPublisher::run(const std::stop_token& stop) {
     } catch (const std::exception& error) {
       if (was_connected_) backoff.reset();
       if (backoff.is_first() || was_connected_)
-        spdlog::warn("Sparkplug at {}:{}: {}; tried again", options_.host, options_.port,
+        spdlog::warn("Sparkplug at {}:{}: {}; trying again", options_.host, options_.port,
                      error.what());
       backoff.wait(stop);
     }

@@ -43,13 +43,13 @@ void set_broker(const std::string& text, GatewayOptions& options) {
   options.broker.host = text.substr(0, colon);
   if (colon != std::string::npos)
     options.broker.port = integer_in(std::string_view(text).substr(colon + 1), 1, port_max,
-                                     "--broker wants HOST:PORT, like 127.0.0.1:1883, or off");
+                                     "--broker needs HOST:PORT, such as 127.0.0.1:1883, or off");
 }
 
 int days_of(const std::string& text) {
   constexpr int days_max = 36500;
   const std::string_view number = std::string_view(text).substr(0, text.find('d'));
-  return integer_in(number, 1, days_max, "--keep wants a number of days, like 400d");
+  return integer_in(number, 1, days_max, "--keep needs a number of days, such as 400d");
 }
 
 void check(const GatewayOptions& options) {
@@ -58,7 +58,7 @@ void check(const GatewayOptions& options) {
   std::set<std::string> names;
   for (const MachineAddress& machine : options.machines)
     if (!names.insert(machine.name).second)
-      throw UsageError("two machines are called " + machine.name + ": --daemon NAME=SOCKET");
+      throw UsageError("two machines have the name " + machine.name + ": --daemon NAME=SOCKET");
   const BrokerOptions& broker = options.broker;
   if (broker.tls_certificate.empty() != broker.tls_key.empty())
     throw UsageError("--tls-cert and --tls-key belong together");
@@ -67,13 +67,13 @@ void check(const GatewayOptions& options) {
   if (!broker.password_file.empty() && broker.tls_ca.empty() && !is_loopback(broker.host))
     throw UsageError("a password must not travel unencrypted: add --tls-ca FILE");
   if (!options.sparkplug_group.empty() && !is_level(options.sparkplug_group))
-    throw UsageError("--sparkplug wants the name of a group without /, + and #");
+    throw UsageError("--sparkplug needs the name of a group without /, + and #");
   if (!options.sparkplug_group.empty() && !options.has_broker)
-    throw UsageError("--sparkplug needs a broker: leave --broker off away");
+    throw UsageError("--sparkplug needs a broker: remove --broker off");
   if (holds_password(options.history))
     throw UsageError(
-        "--history must not hold a password: everybody here could read it; write it "
-        "into the file that PGPASSFILE names");
+        "--history must not contain a password, because everybody on this computer could read it; "
+        "write it to the file that PGPASSFILE names");
 }
 
 }  // namespace stanok::gateway

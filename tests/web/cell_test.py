@@ -181,10 +181,10 @@ class Cell(unittest.TestCase):
         self.machine("second")
         browser = self.browser("--history", self.database)
         browser.enter_by_link()
-        for question, status, reason in (({"query": "salaries"}, 400, "no such question"),
+        for question, status, reason in (({"query": "salaries"}, 400, "unknown query"),
                                          ({"query": "runs", "since": "yesterday"}, 400, "30d, 12h or 45min"),
                                          ({"query": "runs", "since": "-1d"}, 400, "30d, 12h or 45min"),
-                                         ({}, 400, "no such question"), ([], 400, "no such question")):
+                                         ({}, 400, "unknown query"), ([], 400, "unknown query")):
             answer = browser.request("POST", "/api/history", question)
             self.assertEqual(answer.status, status, question)
             self.assertIn(reason, answer.json()["error"])
@@ -192,7 +192,7 @@ class Cell(unittest.TestCase):
         self.assertEqual(browser.request("POST", "/api/history", {"query": "runs"}, Content_Type="text/plain").status, 415)
 
     def test_machines_that_cannot_be_told_apart_are_refused_at_the_start(self):
-        for sockets, reason in ((("a/op.sock", "b/op.sock"), "two sockets are called op"),
+        for sockets, reason in ((("a/op.sock", "b/op.sock"), "two sockets have the name op"),
                                 (("op.sock", "m 1.sock"), "letters, digits")):
             words = [word for socket in sockets for word in ("--socket", socket)]
             ended = subprocess.run([STANOK_WEB, "--listen", "127.0.0.1:0", *words], capture_output=True, text=True)

@@ -170,7 +170,7 @@ class Windows(WithServer):
         window.receive()
         error = window.answer("program.hold", channel=1)["error"]
         self.assertEqual(error["data"]["code"], "E9016")
-        self.assertIn("sent and is not answered", error["message"])
+        self.assertIn("sent but not answered", error["message"])
         self.assertEqual(window.ask("machine.status"), {}, "the window goes on")
         self.daemon.wait_until(lambda daemon: daemon.open == 1)
         window.close()
@@ -318,7 +318,7 @@ class Tls(WithUsers):
         done = subprocess.run([STANOK_WEB, "--listen", "0.0.0.0:0", "--socket", "/x", *self.start_options()],
                               capture_output=True, text=True, timeout=PATIENCE_S, check=False)
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn("no user yet", done.stderr)
+        self.assertIn("no users yet", done.stderr)
 
     def test_clients_that_only_begin_tls_keep_nobody_out(self):
         half = [socket.create_connection(("127.0.0.1", self.web.port), PATIENCE_S) for _ in range(300)]
@@ -409,8 +409,8 @@ class CommandLine(unittest.TestCase):
 
     def test_usage(self):
         self.expect(0, "--listen", "--help")
-        self.expect(2, "--listen wants", "--listen", "8080")
-        self.expect(2, "--listen wants", "--listen", "localhost:8080")
+        self.expect(2, "--listen needs", "--listen", "8080")
+        self.expect(2, "--listen needs", "--listen", "localhost:8080")
         self.expect(2, "belong together", "--socket", "/x", "--tls-cert", "/x")
 
     def test_other_addresses_than_loopback_want_tls_and_users(self):
@@ -421,7 +421,7 @@ class CommandLine(unittest.TestCase):
         with socket.create_server(("127.0.0.1", 0)) as taken, tempfile.TemporaryDirectory() as folder:
             port = taken.getsockname()[1]
             self.expect(1, "Address already in use", "--socket", f"{folder}/x", "--listen", f"127.0.0.1:{port}")
-            self.expect(1, "no certificate", "--socket", f"{folder}/x", "--listen", "127.0.0.1:0", "--tls-cert",
+            self.expect(1, "not a TLS certificate", "--socket", f"{folder}/x", "--listen", "127.0.0.1:0", "--tls-cert",
                         f"{folder}/none", "--tls-key", f"{folder}/none")
 
 

@@ -14,7 +14,7 @@ std::string hash_of_password(std::string_view password) {
   if (crypto_pwhash_str(hash.data(), password.data(), password.size(),
                         crypto_pwhash_OPSLIMIT_INTERACTIVE,
                         crypto_pwhash_MEMLIMIT_INTERACTIVE) != 0)
-    throw std::runtime_error("there is no memory for the hash of a password (64 MiB)");
+    throw std::runtime_error("there is not enough memory for the hash of a password (64 MiB)");
   return hash.data();
 }
 

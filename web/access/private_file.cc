@@ -57,7 +57,7 @@ void refuse_open_file(const fs::path& file) {
   if (status.st_uid != ::geteuid() && status.st_uid != 0)
     refuse(file, "it belongs to another user");
   if ((status.st_mode & too_open) != 0)
-    refuse(file, "others may read or write it, which nobody but its owner should: chmod 600");
+    refuse(file, "other users may read or write it; only its owner should: chmod 600");
 }
 
 void write_private_file(const fs::path& file, std::string_view text) {
@@ -67,7 +67,7 @@ void write_private_file(const fs::path& file, std::string_view text) {
   if (descriptor < 0) refuse(fresh, system_error_text(errno));
   if (!is_alone_with(descriptor, fresh)) {
     ::close(descriptor);
-    refuse(file, "somebody else changes it; try again");
+    refuse(file, "another process is changing it; try again");
   }
   try {
     if (::ftruncate(descriptor, 0) != 0 || ::fchmod(descriptor, only_for_owner) != 0)

@@ -42,7 +42,7 @@ std::int64_t seconds_of(system_clock::time_point time) {
 system_clock::time_point time_from(const json& seconds) {
   constexpr double seconds_max = 4e9;
   const auto given = seconds.get<double>();
-  if (!(given >= 0 && given <= seconds_max)) throw std::runtime_error("a time is none");
+  if (!(given >= 0 && given <= seconds_max)) throw std::runtime_error("a time is not valid");
   return system_clock::time_point(std::chrono::seconds(static_cast<std::int64_t>(given)));
 }
 
@@ -58,7 +58,7 @@ json json_of(const KeptSession& kept) {
 
 KeptSession session_from(const json& kept) {
   const auto role = protocol::role_named(kept.at("role").get<std::string>());
-  if (!role) throw std::runtime_error("there is no such role");
+  if (!role) throw std::runtime_error("unknown role");
   return {.secret = hash_from(kept.at("secret").get<std::string>()),
           .key = hash_from(kept.at("key").get<std::string>()),
           .identity = {.name = kept.at("name").get<std::string>(),

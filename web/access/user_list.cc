@@ -25,10 +25,10 @@ User user_of(const std::string& line, const fs::path& file, int number) {
   const auto first = line.find(':');
   const auto second = line.find(':', first + 1);
   if (first == std::string::npos || second == std::string::npos)
-    fail(file, place + "a line is NAME:ROLE:HASH, as stanok-web user add writes it");
+    fail(file, place + "a line must be NAME:ROLE:HASH, as written by stanok-web user add");
   const std::string role = line.substr(first + 1, second - first - 1);
   const auto known = protocol::role_named(role);
-  if (!known) fail(file, place + "there is no role " + role);
+  if (!known) fail(file, place + "unknown role " + role);
   User user{line.substr(0, first), *known, line.substr(second + 1)};
   if (const std::string defect = defect_of_name(user.name); !defect.empty())
     fail(file, place + defect);
@@ -39,14 +39,15 @@ User user_of(const std::string& line, const fs::path& file, int number) {
 
 std::string defect_of_name(std::string_view name) {
   if (name.empty() || name.size() > name_bytes_max)
-    return "a name has 1 to " + std::to_string(name_bytes_max) + " bytes";
-  if (!is_utf8(name)) return "a name is UTF-8";
+    return "a name must have 1 to " + std::to_string(name_bytes_max) + " bytes";
+  if (!is_utf8(name)) return "a name must be UTF-8";
   const bool has_bad = std::any_of(name.begin(), name.end(), [](char letter) {
     const auto code = static_cast<unsigned char>(letter);
     return code < 0x20 || code == 0x7F || letter == ':';
   });
   if (has_bad || name.front() == '#' || name.front() == ' ' || name.back() == ' ')
-    return "a name has no colon, no control characters, no # or blank in front, no blank behind";
+    return "a name must not contain a colon or control characters, begin with # or a blank, or end "
+           "with a blank";
   return "";
 }
 
@@ -62,7 +63,7 @@ UserList UserList::from_file(const fs::path& file) {
     if (line.empty() || line.front() == '#') continue;
     User user = user_of(line, file, number);
     if (list.find(user.name) != nullptr)
-      fail(file, "line " + std::to_string(number) + ": " + user.name + " is there twice");
+      fail(file, "line " + std::to_string(number) + ": " + user.name + " appears twice");
     list.users_.push_back(std::move(user));
   }
   return list;

@@ -35,21 +35,21 @@ asio::awaitable<Answered> read(std::string database, const gateway::Query& query
 asio::awaitable<Answered> HistoryDesk::ask(HistoryQuestion question) {
   using enum HistoryFault::Kind;
   if (!has_history())
-    co_return refused(no_history, "this server has no history; --history DATABASE names one");
+    co_return refused(no_history, "this server has no history; name one with --history DATABASE");
   const gateway::Query* query = gateway::find_query(question.query);
-  if (query == nullptr) co_return refused(bad_question, "there is no such question to a history");
+  if (query == nullptr) co_return refused(bad_question, "unknown query of the history");
   const auto since_s = gateway::time_back_from_now(question.since);
   if (!since_s)
-    co_return refused(bad_question, "`since` is a time back from now, like 30d, 12h or 45min");
+    co_return refused(bad_question, "`since` must be a time before now, such as 30d, 12h or 45min");
   if (waiting_ >= questions_max)
-    co_return refused(busy, "too many questions wait for the history; ask again later");
+    co_return refused(busy, "too many queries are waiting for the history; try again later");
   ++waiting_;
   Answered answered;
   try {
     answered = co_await asio::co_spawn(reader_, read(database_, *query, *since_s, question.machine),
                                        asio::use_awaitable);
   } catch (const std::bad_alloc&) {  // it costs this answer, not the place of others
-    answered = refused(failed, "there is no memory to read the history");
+    answered = refused(failed, "there is not enough memory to read the history");
   }
   --waiting_;
   co_return answered;

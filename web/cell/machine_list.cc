@@ -69,9 +69,10 @@ std::string confusion(const std::vector<std::filesystem::path>& sockets) {
     const std::string name = socket.stem().string();
     if (name.find_first_not_of(permitted) != std::string::npos)
       return "the name of the socket " + socket.string() +
-             " may have letters, digits, '-', '_' and '.' only where several machines are shown";
+             " may contain only letters, digits, '-', '_' and '.' when several machines are shown";
     if (!names.insert(name).second)
-      return "two sockets are called " + name + ": a machine is known by the name of its socket";
+      return "two sockets have the name " + name +
+             "; each machine needs a socket with its own name";
   }
   return {};
 }

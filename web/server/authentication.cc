@@ -37,7 +37,7 @@ void write(const fs::path& file, const std::string& text) {
   try {
     write_private_file(file, text);
   } catch (const std::runtime_error& error) {
-    spdlog::error("{}; sessions would not outlive a restart", error.what());
+    spdlog::error("{}; sessions would be lost on a restart", error.what());
   }
 }
 
@@ -69,7 +69,7 @@ void Authentication::restore() {
   try {
     sessions_.restore(sessions_from_file(file_), now(), std::chrono::system_clock::now());
   } catch (const std::runtime_error& error) {
-    spdlog::error("{}; everybody has to sign in again", error.what());
+    spdlog::error("{}; all users have to sign in again", error.what());
   }
   // Who was removed or changed meanwhile. No page is open yet.
   const auto is_unknown = [&](const WebSession& one) { return !logins_.knows(one.identity); };
@@ -106,7 +106,7 @@ std::optional<WebSession> Authentication::session_of(const Request& request) {
 
 bool Authentication::is_key_of(const WebSession& session, std::string_view key) {
   if (session.is_key(key)) return true;
-  spdlog::warn("the cookie of {} was shown without its key; the session ends",
+  spdlog::warn("the cookie of {} was sent without its key; the session ends",
                session.identity.name);
   end(session);
   asio::co_spawn(writing_, keeping(), asio::detached);
@@ -124,9 +124,9 @@ std::optional<WebSession> Authentication::session_of_cookie(const Request& reque
 
 asio::awaitable<Answer> Authentication::enter_by_link(const Request& request, std::string secret) {
   if (links_.use_up(secret, now())) co_return co_await let_in(request, identity_of_link());
-  spdlog::warn("a link was shown that is used up, too old or wrong");
+  spdlog::warn("a login link was already used, too old or wrong");
   co_return refusal(Status::unauthorized,
-                    "this link is used up or too old; `stanok panel` prints another one");
+                    "this link is already used or too old; get another one with `stanok panel`");
 }
 
 asio::awaitable<Answer> Authentication::enter_by_password(const Request& request, std::string name,
@@ -135,8 +135,8 @@ asio::awaitable<Answer> Authentication::enter_by_password(const Request& request
   auto outcome = co_await logins_.log_in(std::move(name), std::move(password), std::move(from));
   if (outcome.identity) co_return co_await let_in(request, std::move(*outcome.identity));
   if (outcome.refusal == LoginDesk::Refusal::busy)
-    co_return refusal(Status::too_many_requests, "another login is under way; try again");
-  co_return refusal(Status::unauthorized, "name or password is wrong");
+    co_return refusal(Status::too_many_requests, "another login is in progress; try again");
+  co_return refusal(Status::unauthorized, "wrong name or password");
 }
 
 asio::awaitable<Answer> Authentication::let_in(const Request& request, Identity identity) {
@@ -153,7 +153,7 @@ asio::awaitable<Answer> Authentication::let_in(const Request& request, Identity 
 
 asio::awaitable<Answer> Authentication::leave(const Request& request) {
   const auto session = session_of(request);
-  if (!session) co_return refusal(Status::unauthorized, "there is no session");
+  if (!session) co_return refusal(Status::unauthorized, "no session");
   spdlog::info("session of {} ends", session->identity.name);
   end(*session);
   co_await keep();

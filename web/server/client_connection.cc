@@ -74,10 +74,11 @@ asio::awaitable<void> ClientConnection::refuse(boost::system::error_code error, 
   request.keep_alive(false);
   const Answer answer =
       error == http::error::header_limit || error == http::error::buffer_overflow
-          ? refusal(Status::request_header_fields_too_large, "the head of the request is too long")
+          ? refusal(Status::request_header_fields_too_large,
+                    "the header of the request is too long")
       : error == http::error::body_limit
-          ? refusal(Status::payload_too_large, "the content of the request is too long")
-          : refusal(Status::bad_request, "this is no request of HTTP: " + error.message());
+          ? refusal(Status::payload_too_large, "the body of the request is too long")
+          : refusal(Status::bad_request, "this is not an HTTP request: " + error.message());
   static_cast<void>(co_await write(answer, request));
   co_await outlast();
 }
@@ -127,12 +128,13 @@ Expected<ClientConnection::Visit, Answer> ClientConnection::visit_of(const Reque
     return Unexpected<Answer>(*obstacle);
   const std::string_view path = path_of(request);
   const bool is_named = path.starts_with(prefix) && path.size() > prefix.size();
-  if (path != "/ws" && !is_named) return refused(Status::not_found, "the WebSocket is /ws");
+  if (path != "/ws" && !is_named)
+    return refused(Status::not_found, "the path of the WebSocket is /ws");
   // Browsers always tell; nobody else may come with what a browser keeps.
   if (request.count(Field::origin) != 1)
-    return refused(Status::forbidden, "a WebSocket needs the field Origin");
+    return refused(Status::forbidden, "a WebSocket needs the header Origin");
   const auto session = services_.authentication.session_of_cookie(request);
-  if (!session) return refused(Status::unauthorized, "there is no session");
+  if (!session) return refused(Status::unauthorized, "no session");
   if (!services_.has_room_for_relay_of(session->identity.role))
     return refused(Status::service_unavailable, "too many pages are open");
   const auto* machine = services_.machines.find(is_named ? path.substr(prefix.size()) : "");

@@ -72,7 +72,7 @@ void ConnectionList::end_stuck(Time now) {
   for (const auto& connection : relays()) {
     if (!connection->relay()->is_stuck(now)) continue;
     spdlog::warn(
-        "a page of {} does not take what it is sent, or does not begin; its connection ends",
+        "a page of {} does not read what it is sent, or does not start; its connection ends",
         connection->relay()->session().identity.name);
     connection->close();
   }

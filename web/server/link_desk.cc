@@ -31,13 +31,14 @@ void clear_way_for_links(const asio::any_io_executor& executor, const std::files
   const auto type = std::filesystem::symlink_status(path, error).type();
   if (type == std::filesystem::file_type::not_found) return;
   if (type != std::filesystem::file_type::socket)
-    throw std::runtime_error(path.string() + ": there is a file that is no socket");
+    throw std::runtime_error(path.string() + ": this file exists and is not a socket");
   stream_protocol::socket probe(executor);
   boost::system::error_code refused;
   refused = probe.connect(stream_protocol::endpoint(path.string()), refused);
   if (!refused)
-    throw std::runtime_error(path.string() +
-                             ": another stanok-web gives links there; --link-socket names another");
+    throw std::runtime_error(
+        path.string() +
+        ": another stanok-web is using this socket; name another one with --link-socket");
   std::filesystem::remove(path, error);
 }
 

@@ -120,7 +120,7 @@ bool LoginDesk::look_at_file() {
   try {
     users_ = UserList::from_file(file_);
   } catch (const std::runtime_error& error) {
-    spdlog::error("{}; the users are still those of before", error.what());
+    spdlog::error("{}; the users remain unchanged", error.what());
     return false;
   }
   spdlog::info("{} users", users_.users().size());

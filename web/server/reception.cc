@@ -25,7 +25,7 @@ std::string_view field_of(const Request& request, Field name) {
 }
 
 Answer not_allowed(const std::string& methods) {
-  Answer answer = refusal(Status::method_not_allowed, "here are only " + methods);
+  Answer answer = refusal(Status::method_not_allowed, "allowed methods: " + methods);
   answer.fields.emplace_back(Field::allow, methods);
   return answer;
 }
@@ -153,10 +153,10 @@ std::optional<Answer> Reception::obstacle(const Request& request) const {
   const auto host = field_of(request, Field::host);
   if (request.count(Field::host) != 1 || !names_.is_own_host(host))
     return refusal(Status::forbidden,
-                   "this server is not called so; --name tells it another name of its own");
+                   "this server does not have this name; add the name with --name");
   const bool has_origin = request.count(Field::origin) > 0;
   if (has_origin && !names_.is_own_origin(field_of(request, Field::origin), host))
-    return refusal(Status::forbidden, "a page of another server may not ask here");
+    return refusal(Status::forbidden, "requests from pages of another server are not allowed");
   return std::nullopt;
 }
 
@@ -193,7 +193,7 @@ asio::awaitable<Answer> Reception::begin_session(const Request& request, asio::i
 
 asio::awaitable<Answer> Reception::describe_session(const Request& request) {
   const auto session = authentication_.session_of(request);
-  if (!session) co_return refusal(Status::unauthorized, "there is no session");
+  if (!session) co_return refusal(Status::unauthorized, "no session");
   MachineGlance& machine = exhibits_.machines.first();
   static_cast<void>(co_await machine.daemon_answers());
   co_return json_answer(Status::ok, {{"name", session->identity.name},
@@ -202,8 +202,7 @@ asio::awaitable<Answer> Reception::describe_session(const Request& request) {
 }
 
 asio::awaitable<Answer> Reception::overview(const Request& request) {
-  if (!authentication_.session_of(request))
-    co_return refusal(Status::unauthorized, "there is no session");
+  if (!authentication_.session_of(request)) co_return refusal(Status::unauthorized, "no session");
   const json machines = co_await exhibits_.machines.overview();
   co_return json_answer(Status::ok,
                         {{"machines", machines}, {"history", exhibits_.history.has_history()}});
@@ -211,8 +210,7 @@ asio::awaitable<Answer> Reception::overview(const Request& request) {
 
 asio::awaitable<Answer> Reception::history(const Request& request) {
   if (request.method() != verb::post) co_return not_allowed("POST");
-  if (!authentication_.session_of(request))
-    co_return refusal(Status::unauthorized, "there is no session");
+  if (!authentication_.session_of(request)) co_return refusal(Status::unauthorized, "no session");
   if (!has_json(request)) co_return not_json();
   const auto answered = co_await exhibits_.history.ask(question_of(request));
   if (answered) co_return json_answer(Status::ok, *answered);
@@ -231,7 +229,7 @@ Answer Reception::page_file(const Request& request) {
     return answer_of(*file, request);
   if (path_of(request) != "/") return text_answer(Status::not_found, "there is no such file\n");
   return text_answer(Status::not_found, "there is no page in " + exhibits_.page.folder().string() +
-                                            "; --page names its folder\n");
+                                            "; give its folder with --page\n");
 }
 
 Answer Reception::manual_file(const Request& request) {
@@ -240,7 +238,7 @@ Answer Reception::manual_file(const Request& request) {
   if (const PageFile* file = exhibits_.manual.find(name)) return answer_of(*file, request);
   return text_answer(Status::not_found, "there is no such document in " +
                                             exhibits_.manual.folder().string() +
-                                            "; --manual names the folder of the documents\n");
+                                            "; give the folder of the documents with --manual\n");
 }
 
 }  // namespace stanok::web

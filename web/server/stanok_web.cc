@@ -53,7 +53,7 @@ void add_options(CLI::App& app, CommandLine& given) {
                  "name under which browsers may reach this server; may be repeated")
       ->type_name("HOST");
   app.add_option("--users", given.options.users,
-                 "file of the users; default: no users, access by links only")
+                 "file of the users; default: no users, access only by links")
       ->type_name("FILE");
   app.add_option("--sessions", given.options.sessions,
                  "file that keeps sessions across restarts of the server; default: "
@@ -68,7 +68,7 @@ void add_options(CLI::App& app, CommandLine& given) {
 WebOptions complete(CommandLine given) {
   const auto endpoint = stanok::web::endpoint_of(given.listen);
   if (!endpoint)
-    throw UsageError("--listen wants an address and a port, like 127.0.0.1:8080 or [::1]:8080");
+    throw UsageError("--listen needs an address and a port, such as 127.0.0.1:8080 or [::1]:8080");
   WebOptions options = std::move(given.options);
   options.listen = *endpoint;
   if (options.page.empty()) options.page = stanok::web::usual_page_folder();

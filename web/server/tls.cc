@@ -18,11 +18,11 @@ std::optional<ssl::context> tls_context(const WebOptions& options) {
   error = context.use_certificate_chain_file(options.tls_certificate.string(), error);
   if (error)
     throw std::runtime_error(options.tls_certificate.string() +
-                             ": no certificate of TLS (PEM): " + error.message());
+                             ": not a TLS certificate (PEM): " + error.message());
   error = context.use_private_key_file(options.tls_key.string(), ssl::context::pem, error);
   if (error)
     throw std::runtime_error(options.tls_key.string() +
-                             ": no key (PEM) of that certificate: " + error.message());
+                             ": not the key (PEM) of that certificate: " + error.message());
   return context;
 }
 

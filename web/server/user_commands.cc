@@ -56,15 +56,15 @@ std::string new_password() {
   const bool is_terminal = ::isatty(STDIN_FILENO) == 1;
   const std::string password = is_terminal ? typed("password: ") : line_of_input();
   if (is_terminal && typed("again: ") != password)
-    throw std::runtime_error("these are two different passwords");
+    throw std::runtime_error("the two passwords differ");
   if (password.size() < password_bytes_min || password.size() > password_bytes_max)
-    throw std::runtime_error("a password has " + std::to_string(password_bytes_min) + " to " +
+    throw std::runtime_error("a password must have " + std::to_string(password_bytes_min) + " to " +
                              std::to_string(password_bytes_max) + " bytes");
   return password;
 }
 
 void require_file(const std::filesystem::path& users) {
-  if (users.empty()) throw UsageError("--users FILE names the file of the users");
+  if (users.empty()) throw UsageError("name the file of the users with --users FILE");
 }
 
 void add_user(const std::string& name, const std::string& role, const std::filesystem::path& file) {

@@ -13,18 +13,18 @@ void check(const WebOptions& options) {
   if (const auto why = confusion(options.sockets); !why.empty()) throw UsageError(why);
   if (gateway::is_server(options.history) && gateway::holds_password(options.history))
     throw UsageError(
-        "--history: a password does not belong into an address; write it into the file that "
-        "PGPASSFILE names");
+        "--history: do not put a password in an address; write it to the file that PGPASSFILE "
+        "names");
   if (options.listen.address().is_loopback()) return;
   std::string missing;
   if (options.tls_certificate.empty()) missing += "\n  --tls-cert FILE --tls-key FILE";
   if (options.users.empty())
-    missing += "\n  --users FILE, made by: stanok-web user add NAME --role ROLE --users FILE";
+    missing += "\n  --users FILE, created with: stanok-web user add NAME --role ROLE --users FILE";
   if (missing.empty()) return;
-  throw UsageError(text_of(options.listen) +
-                   " is not a loopback address: TLS and users are obligatory there; add" + missing +
-                   "\nor listen on 127.0.0.1 and come through a tunnel: "
-                   "ssh -L 8080:127.0.0.1:8080 THIS_COMPUTER");
+  throw UsageError(
+      text_of(options.listen) + " is not a loopback address, so TLS and users are required; add" +
+      missing +
+      "\nor listen on 127.0.0.1 and use a tunnel: ssh -L 8080:127.0.0.1:8080 THIS_COMPUTER");
 }
 
 }  // namespace stanok::web

@@ -115,8 +115,9 @@ WebServer::Parts::Parts(const WebOptions& options)
                  return connections.has_room_for_relay_of(role);
                }} {
   if (!options.listen.address().is_loopback() && !authentication.has_users())
-    throw UsageError(options.users.string() +
-                     ": there is no user yet; stanok-web user add NAME --role ROLE --users FILE");
+    throw UsageError(
+        options.users.string() +
+        ": there are no users yet; add one: stanok-web user add NAME --role ROLE --users FILE");
   authentication.set_port(acceptor.local_endpoint().port());
   if (options.link_socket.empty()) return;
   link_desk.emplace(io.get_executor(), options.link_socket,

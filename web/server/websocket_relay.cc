@@ -149,7 +149,7 @@ asio::awaitable<bool> WebSocketRelay::enter() {
   has_place_ = true;
   const bool is_lowered = co_await lower_role();
   if (!is_lowered) {
-    co_await turn_away("", "the daemon did not take the role of the user");
+    co_await turn_away("", "the daemon did not accept the role of the user");
     co_return false;
   }
   const auto granted = protocol::role_named(hello["params"].value("role", ""));
@@ -273,8 +273,9 @@ asio::awaitable<bool> WebSocketRelay::take(std::string message) {
   if (request && !request->wants_answer) co_return true;
   const json id = request ? request->id : json();
   const protocol::Failure failure =
-      has_place_ ? refusal_of("E6073", "the page does not say which cycle it has seen (seen_cycle)")
-                 : refusal_of("E9008", "there are too many clients");
+      has_place_
+          ? refusal_of("E6073", "the page did not report which cycle it has seen (seen_cycle)")
+          : refusal_of("E9008", "there are too many clients");
   co_return co_await show(without_line_end(protocol::failure_line(id, failure)));
 }
 
@@ -305,7 +306,7 @@ asio::awaitable<void> WebSocketRelay::stop(std::shared_ptr<WebSocketRelay> self,
     }
   }
   if (!request->wants_answer) co_return;
-  const std::string why = is_sent ? "the stop was sent and is not answered" : "no daemon answers";
+  const std::string why = is_sent ? "the stop was sent but not answered" : "no daemon answers";
   const protocol::Failure failure{protocol::FailureKind::timed_out,
                                   "E9016",
                                   why + ": use the emergency stop of the machine",
