@@ -100,11 +100,11 @@ export class Daemon {
     this.last_id = 0;
     this.state = null;
     this.lists = null;
-    this.reason = 'the connection has ended';
+    this.reason = 'the connection was closed';
     const socket = connect(this.path);
     this.socket = socket;
     socket.setEncoding('utf8');
-    socket.setTimeout(silence_max_ms, () => this.#end('the daemon does not say anything'));
+    socket.setTimeout(silence_max_ms, () => this.#end('the daemon does not send anything'));
     socket.on('data', (/** @type {string} */ text) => this.#take(text));
     socket.on('error', (error) => (this.reason = error.message));
     socket.on('close', () => this.#closed());
@@ -122,10 +122,10 @@ export class Daemon {
     try {
       this.on_view(null);
     } catch (error) {
-      this.reason = `that the daemon is away cannot be shown: ${first_line(error)}`;
+      this.reason = `cannot show that the daemon is away: ${first_line(error)}`;
     }
     if (this.stopped) return;
-    if (this.reason !== this.told) console.error(`${this.name}: ${this.reason}; tried again`);
+    if (this.reason !== this.told) console.error(`${this.name}: ${this.reason}; trying again`);
     this.told = this.reason;
     this.again = setTimeout(() => this.#connect(), again_after_ms);
   }
@@ -134,12 +134,13 @@ export class Daemon {
   #take(text) {
     const lines = (this.text + text).split('\n');
     this.text = lines.pop() ?? '';
-    if (this.text.length > line_bytes_max) return this.#end('the daemon says too much at once');
+    if (this.text.length > line_bytes_max)
+      return this.#end('the daemon sent a message that is too long');
     for (const line of lines) {
       try {
         this.#take_message(JSON.parse(line));
       } catch (error) {
-        return this.#end(`what the daemon says cannot be shown: ${first_line(error)}`);
+        return this.#end(`cannot show a message of the daemon: ${first_line(error)}`);
       }
     }
   }
@@ -150,7 +151,7 @@ export class Daemon {
     if (method === 'status') return this.#take_status(params);
     if (method === 'event') return void (this.are_lists_old = true);
     if (method === 'dropped')
-      return this.#end(params?.reason ?? params?.message ?? 'the daemon has no place');
+      return this.#end(params?.reason ?? params?.message ?? 'the daemon has no free connection');
     if (id === undefined) return;
     const waits = this.answers.get(id);
     this.answers.delete(id);

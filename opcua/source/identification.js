@@ -36,10 +36,10 @@ export function identities_from(file, names) {
   if (!file) return {};
   const all = json_object(
     read_json(file),
-    `${file}: a JSON object is wanted, with a member for each machine`,
+    `${file}: a JSON object is needed, with a member for each machine`,
   );
   for (const [name, members] of Object.entries(all)) {
-    if (!names.includes(name)) throw new Error(`${file}: no machine is called ${name}`);
+    if (!names.includes(name)) throw new Error(`${file}: no machine has the name ${name}`);
     const described = json_object(members, `${file}: ${name} must be an object`);
     for (const [member, value] of Object.entries(described)) {
       const wrong = fault_of(member, value);
@@ -55,7 +55,7 @@ function read_json(file) {
   try {
     return JSON.parse(text);
   } catch (error) {
-    throw new Error(`${file}: this is no JSON: ${error instanceof Error ? error.message : error}`);
+    throw new Error(`${file}: this is not JSON: ${error instanceof Error ? error.message : error}`);
   }
 }
 
@@ -75,7 +75,8 @@ function json_object(value, fault) {
  * @param {unknown} value
  */
 function fault_of(member, value) {
-  if (!Object.hasOwn(types, member)) return `is not known; ${Object.keys(types).join(', ')} are`;
+  if (!Object.hasOwn(types, member))
+    return `is not known; write one of ${Object.keys(types).join(', ')}`;
   const range = ranges[member];
   if (!range) return typeof value === 'string' ? '' : 'must be a string';
   const [smallest, largest] = range;

@@ -155,7 +155,7 @@ export class Machine {
   /** @param {string} name */
   type_of_variable(name) {
     const type = this.addressSpace.findVariableType(name);
-    if (!type) throw new Error(`no type of variables is called ${name}`);
+    if (!type) throw new Error(`no type of variables has the name ${name}`);
     return type;
   }
 

@@ -1,4 +1,4 @@
-// What the command line says, and what must not be.
+// What the command line says, and what is refused.
 import { isIP } from 'node:net';
 import { homedir } from 'node:os';
 import { basename, extname, join } from 'node:path';
@@ -8,25 +8,25 @@ import { parseArgs } from 'node:util';
  * @import { Address, Wanted } from '../types/view.js'
  */
 
-/** The command line asks for what is not done; the message says what to do instead. */
+/** The command line is wrong; the message says what to write instead. */
 export class Usage extends Error {}
 
-export const usage = `stanok-opcua: machines of this computer as a server of OPC UA for Machine Tools (OPC 40501-1)
+export const usage = `stanok-opcua: serves machines of this computer by OPC UA for Machine Tools (OPC 40501-1)
 
 usage: stanok-opcua --daemon NAME=SOCKET ... [OPTION ...]
 
-  --daemon NAME=SOCKET  socket of a daemon and what its machine is called; may be given again
-  --host ADDRESS        IP address to listen at; default 127.0.0.1. Elsewhere than on this computer everything is
-                        signed, and only users of --users get in
-  --port PORT           TCP port; default 4840. 0: a free one
-  --users FILE          who gets in: lines of --add-user
-  --add-user NAME       print the line of a user; the password is the first line of the standard input
-  --identity FILE       JSON: manufacturer, serial number and the like of each machine
-  --rate HZ             how often states are read, 0.1 to 10; default 2
-  --sessions NUMBER     how many sessions there are at most, 1 to 100; default 20
+  --daemon NAME=SOCKET  socket of a daemon and the name of its machine; may be repeated
+  --host ADDRESS        IP address to listen on; default 127.0.0.1. On any address other than loopback
+                        all messages are signed, and only the users of --users can log in
+  --port PORT           TCP port; default 4840. 0: any free port
+  --users FILE          file of the users: the lines that --add-user prints
+  --add-user NAME       print the line of a user; the password is the first line of standard input
+  --identity FILE       JSON file: manufacturer, serial number and similar data of each machine
+  --rate HZ             rate at which states are read, 0.1 to 10; default 2
+  --sessions NUMBER     maximum number of sessions, 1 to 100; default 20
   --state FOLDER        folder of the certificates; default: $STATE_DIRECTORY
-  --version             print the version
-  -h, --help            print this
+  --version             print the version and exit
+  -h, --help            print help and exit
 `;
 
 /** @satisfies {import('node:util').ParseArgsConfig['options']} */
@@ -65,7 +65,7 @@ function number_in(name, text, smallest, largest, is_whole) {
   const is_good = text.trim() !== '' && number >= smallest && number <= largest;
   if (is_good && (!is_whole || Number.isInteger(number))) return number;
   throw new Usage(
-    `--${name} wants a ${is_whole ? 'whole ' : ''}number from ${smallest} to ${largest}`,
+    `--${name} needs a ${is_whole ? 'whole ' : ''}number from ${smallest} to ${largest}`,
   );
 }
 
@@ -108,13 +108,11 @@ export function options_from(words) {
   if (machines.length === 0)
     throw new Usage('no machine: name the socket of a daemon with --daemon NAME=SOCKET');
   const twice = machines.find(({ name }, k) => machines.findIndex((one) => one.name === name) < k);
-  if (twice) throw new Usage(`two machines are called ${twice.name}: --daemon NAME=SOCKET`);
+  if (twice) throw new Usage(`two machines have the name ${twice.name}: --daemon NAME=SOCKET`);
   if (!isIP(given.host))
-    throw new Usage('--host wants an IP address of this computer, like 127.0.0.1');
+    throw new Usage('--host needs an IP address of this computer, such as 127.0.0.1');
   if (!is_loopback(given.host) && !given.users)
-    throw new Usage(
-      'users must be known before others than this computer get in: add --users FILE',
-    );
+    throw new Usage('--host is not a loopback address, so users are required: add --users FILE');
   const options = {
     machines,
     host: given.host,

@@ -146,7 +146,7 @@ export async function start_server(options, version) {
   const server = await server_of(options, version);
   await server.initialize();
   const { addressSpace } = server.engine;
-  if (!addressSpace) throw new Error('node-opcua has made no address space');
+  if (!addressSpace) throw new Error('node-opcua did not create an address space');
   const namespace = /** @type {Namespace} */ (addressSpace.registerNamespace(namespaces.stanok));
   const axis_type = add_axis_type(addressSpace, namespace);
   addressSpace.installAlarmsAndConditionsService();

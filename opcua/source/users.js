@@ -19,8 +19,8 @@ const cost = { N: 2 ** 15, r: 8, p: 1, maxmem: 64 * 2 ** 20 };
  */
 export function user_line(name, password) {
   if (!/^[\w.@-]{1,64}$/.test(name))
-    throw new Usage('--add-user wants a name of letters, digits, _, ., @ and -');
-  if (password.length < 8) throw new Usage('a password has 8 characters or more');
+    throw new Usage('--add-user needs a name of letters, digits, _, ., @ and -');
+  if (password.length < 8) throw new Usage('a password must have 8 characters or more');
   const salt = randomBytes(salt_bytes);
   const hash = scryptSync(password, salt, hash_bytes, cost);
   return [name, 'scrypt', salt.toString('base64'), hash.toString('base64')].join(':');
@@ -35,7 +35,7 @@ function user_from(line, place) {
   const [name, kind, salt, hash, ...more] = line.split(':');
   const user = { salt: Buffer.from(salt ?? '', 'base64'), hash: Buffer.from(hash ?? '', 'base64') };
   if (kind !== 'scrypt' || more.length > 0 || user.hash.length !== hash_bytes)
-    throw new Error(`${place}: no line of stanok-opcua --add-user`);
+    throw new Error(`${place}: this is not a line of stanok-opcua --add-user`);
   return [name, user];
 }
 

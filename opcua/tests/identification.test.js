@@ -27,13 +27,13 @@ test('members of machines are taken as they are', () => {
 });
 
 for (const [text, told] of [
-  ['{"mill": ', /identity\.json: this is no JSON/],
-  ['null', /identity\.json: a JSON object is wanted/],
-  ['[]', /identity\.json: a JSON object is wanted/],
+  ['{"mill": ', /identity\.json: this is not JSON/],
+  ['null', /identity\.json: a JSON object is needed/],
+  ['[]', /identity\.json: a JSON object is needed/],
   ['{"mill": null}', /mill must be an object/],
   ['{"mill": ["a"]}', /mill must be an object/],
-  ['{"lathe": {}}', /no machine is called lathe/],
-  ['{"mill": {"Colour": "grey"}}', /mill\.Colour is not known; Manufacturer/],
+  ['{"lathe": {}}', /no machine has the name lathe/],
+  ['{"mill": {"Colour": "grey"}}', /mill\.Colour is not known; write one of Manufacturer/],
   ['{"mill": {"toString": "grey"}}', /mill\.toString is not known/],
   ['{"mill": {"Manufacturer": 7}}', /mill\.Manufacturer must be a string/],
   [
