@@ -127,7 +127,7 @@ py::tuple study(const GrindOptions& options) {
   const auto part = client::read_study_part(options.part);
   if (!part)
     throw std::invalid_argument("'" + options.part +
-                                "' is no part K of N of a study, with K from 1 to N");
+                                "' is not a part K of N of a study, with K from 1 to N");
   const GrindInput input = value_or_raise(client::grind_input(options));
   Interruption interruption;
   const auto points = without_lock(interruption, [&] {
@@ -165,7 +165,7 @@ InfeedLaw law_of(const Matrix& rows) {
   }
   if (!is_law)
     throw std::invalid_argument(
-        "law must have two rows (X mm, feed mm/s) at least; X never rises, feeds are above 0 and "
+        "law must have at least two rows (X mm, feed mm/s); X never rises, feeds are above 0 and "
         "at most 1 mm/s");
   return law;
 }

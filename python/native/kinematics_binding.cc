@@ -51,7 +51,7 @@ class Kinematics {
   Kinematics(const config::MachineFile& machine, int channel, int scheme, const Setting& setting)
       : axis_count_(static_cast<int>(channel_of(machine, channel).axes.size())),
         scheme_(kinematics::make_scheme(scheme_of(channel_of(machine, channel), scheme))) {
-    if (scheme_ == nullptr) throw std::invalid_argument("the scheme has a defect");
+    if (scheme_ == nullptr) throw std::invalid_argument("the scheme is not valid");
     transform_.scheme = scheme_.get();
     transform_.mode = setting.leads_tip ? kinematics::PointMode::tip : kinematics::PointMode::axes;
     std::ranges::copy(setting.nose_to_tip_mm, transform_.tool.nose_to_tip_mm.begin());

@@ -3,7 +3,7 @@
 #include "python/native/faults.h"
 
 PYBIND11_MODULE(_native, module) {
-  module.doc() = "The libraries of stanok; use the package stanok instead";
+  module.doc() = "Libraries of stanok; use the package stanok instead";
   stanok::python::register_faults(module);
   stanok::python::bind_machine(module);
   stanok::python::bind_simulation(module);

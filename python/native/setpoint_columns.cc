@@ -84,7 +84,7 @@ SetpointColumns::SetpointColumns(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto type = std::ranges::find(types(), name, &ColumnType::name);
     if (type == types().end()) {
-      std::string fault = "there is no column '" + name + "' of setpoints; there are";
+      std::string fault = "there is no column '" + name + "' of setpoints; the columns are";
       for (const ColumnType& one : types()) fault.append(" ").append(one.name);
       throw std::invalid_argument(fault);
     }

@@ -1,8 +1,8 @@
-"""stanok: an open CNC runtime, for those who study machines and cuts.
+"""stanok: an open CNC runtime, for the study of machines and cuts.
 
-Simulation of whole machines into arrays, logs, kinematics, grinding cycles, and a client of a machine that
-runs. Numbers are those of the programs ``stanok`` and ``stanokd``, bit for bit: the package calls the same
-libraries. Lengths are mm, angles deg, times s.
+Simulation of whole machines into arrays, logs, kinematics, grinding cycles, and a client of a running
+machine. Results are bit-identical to those of the programs ``stanok`` and ``stanokd``, because the package
+calls the same libraries. Lengths are mm, angles deg, times s.
 
 >>> import stanok
 >>> result = stanok.simulate("mill3.toml", "part.nc")
@@ -11,17 +11,17 @@ libraries. Lengths are mm, angles deg, times s.
 
 ============================================  ===========================================================
 :func:`simulate`                              programs on a virtual machine, setpoints of every cycle
-:func:`read_log`, :func:`open_log`            setpoints and events of a log, in pieces where it is long
+:func:`read_log`, :func:`open_log`            setpoints and events of a log, in chunks if it is long
 :func:`check`, :func:`interpret`              errors, feed laws, planes, records of a program
 :class:`Kinematics`                           forward, inverse and derivatives of a machine's schemes
 :mod:`stanok.grinding`                        plunge grinding cycles: design, verification, studies, model
 :mod:`stanok.cutting`                         force constants and stiffness from the log of a cut
-:func:`connect`                               a client of a machine that runs
+:func:`connect`                               a client of a running machine
 :func:`load_machine`                          a machine file, read once for many calls
-:func:`example_machine`                       files that come with stanok; :func:`example_program`
+:func:`example_machine`                       example files of stanok; also :func:`example_program`
 ============================================  ===========================================================
 
-All errors derive from :class:`StanokError` and have code, place and remedy.
+All errors derive from :class:`StanokError` and have a code, a place and a remedy.
 """
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The native module: numbers as arrays, all else as texts of JSON. Use the package, not this."""
+"""The native module: numbers as arrays, everything else as JSON texts. Use the package instead."""
 import os
 from collections.abc import Sequence
 from pathlib import Path

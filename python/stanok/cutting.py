@@ -1,7 +1,7 @@
-"""Cuts: what their logs tell of spindle, material and machine, and up to which depth they do not chatter.
+"""Cuts: constants of spindle, material and machine from their logs, and stable depths of cut.
 
-The functions of ``stanok process identify`` (docs/programmer/identify.md has the models and what to record) and
-``stanok process lobes`` (docs/programmer/chatter.md).
+The functions of ``stanok process identify`` (docs/programmer/identify.md describes the models and what to
+record) and of ``stanok process lobes`` (docs/programmer/chatter.md).
 """
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Floats = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Estimate:
-    """A value, and the interval in which it lies with 95 % probability."""
+    """A value and its 95 % confidence interval."""
 
     value: float
     low: float
@@ -34,89 +34,89 @@ class Estimate:
 
 @dataclass(frozen=True)
 class TurningCut:
-    """A turning cut, a row for each cycle, and what it tells. ``report`` is what the command prints as JSON.
+    """A turning cut with one row for each cycle. ``report`` has the results, as the command prints them as JSON.
 
-    Every array is ``(n,)``; ``power_w`` is ``nan`` where the sensor showed nothing new.
+    Every array is ``(n,)``; ``power_w`` is ``nan`` if the sensor had no new value.
     """
 
     report: dict[str, Any]
     time_s: Floats
-    """s, from the begin of the log on."""
+    """s, from the beginning of the log."""
     rev_per_min: Floats
     """rev/min of the spindle."""
     radius_mm: Floats
-    """mm, where the tool is."""
+    """mm, radius at the tool."""
     depth_mm: Floats
-    """mm, depth of the cut; 0: out of it."""
+    """mm, depth of cut; 0: not in the cut."""
     travel_mm: Floats
-    """mm, way of the tool at working feed in this cycle."""
+    """mm, path of the tool at working feed in this cycle."""
     power_w: Floats
-    """W, as the sensor showed it at the end of the cycle."""
+    """W, reported by the sensor at the end of the cycle."""
     fitted_w: Floats
-    """W, what the model says with the figures that were found."""
+    """W, computed by the model with the identified values."""
 
     def estimate(self, name: str) -> Estimate:
-        """A figure of the report with its interval, as ``estimate("coefficient_over_efficiency_n")``."""
+        """A value of the report with its interval, such as ``estimate("coefficient_over_efficiency_n")``."""
         return _estimate(self.report, name)
 
 
 @dataclass(frozen=True)
 class MillingCut:
-    """A milling cut, a row for each cycle, and what it tells; see :class:`TurningCut`."""
+    """A milling cut with one row for each cycle; see :class:`TurningCut`."""
 
     report: dict[str, Any]
     cut_text: str
-    """The file of tool and material with the figures that were found."""
+    """The file of tool and material with the identified values."""
     time_s: Floats
-    """s, from the begin of the log on."""
+    """s, from the beginning of the log."""
     rev_per_min: Floats
     """rev/min of the spindle."""
     removal_mm3_per_s: Floats
-    """mm³/s that the tool takes from the virtual workpiece."""
+    """mm³/s, removed by the tool from the virtual workpiece."""
     rubbing_mm2_per_s: Floats
-    """mm²/s over which edges rub: their length in the cut times the cutting speed."""
+    """mm²/s of rubbing edges: their length in the cut times the cutting speed."""
     power_w: Floats
-    """W, as the sensor showed it at the end of the cycle; ``nan`` where it showed nothing new."""
+    """W, reported by the sensor at the end of the cycle; ``nan`` if it had no new value."""
     fitted_w: Floats
-    """W, what the model says with the figures that were found."""
+    """W, computed by the model with the identified values."""
 
     def estimate(self, name: str) -> Estimate:
-        """A figure of the report with its interval, as ``estimate("force_n_per_mm2")``."""
+        """A value of the report with its interval, such as ``estimate("force_n_per_mm2")``."""
         return _estimate(self.report, name)
 
 
 @dataclass(frozen=True)
 class GrindingCut:
-    """A plunge cycle out of a log, and what it tells; see :class:`TurningCut`."""
+    """A plunge cycle from a log; see :class:`TurningCut`."""
 
     report: dict[str, Any]
     process_text: str
-    """The process file with the figures that were found."""
+    """The process file with the identified values."""
     time_s: Floats
-    """s, from the begin of the log on."""
+    """s, from the beginning of the log."""
     x_mm: Floats
-    """mm, commanded; the part is touched at the allowance."""
+    """mm, commanded; the wheel touches the part at the allowance."""
     power_w: Floats
-    """W, of the wheel's spindle; ``nan`` where the sensor showed nothing new."""
+    """W, of the spindle of the wheel; ``nan`` if the sensor had no new value."""
     fitted_w: Floats
-    """W, what the model says with the figures that were found."""
+    """W, computed by the model with the identified values."""
 
     def estimate(self, name: str) -> Estimate:
-        """A figure of the report with its interval, as ``estimate("stiffness_n_per_m")``."""
+        """A value of the report with its interval, such as ``estimate("stiffness_n_per_m")``."""
         return _estimate(self.report, name)
 
 
 @dataclass(frozen=True)
 class Lobes:
-    """Stability lobes, a row for each speed. ``report`` is what the command prints as JSON. Every array is ``(n,)``."""
+    """Stability lobes, one row for each speed. ``report`` is the JSON of the command. Every array is ``(n,)``."""
 
     report: dict[str, Any]
     speed_rev_per_min: Floats
-    """rev/min of the spindle; of the part in grinding."""
+    """rev/min of the spindle; in grinding, of the part."""
     depth_mm: Floats
-    """mm, the least depth that is not stable; ``inf``: every depth is. Of grinding the width of the surface."""
+    """mm, the smallest unstable depth; ``inf``: every depth is stable. In grinding, the width of the surface."""
     chatter_hz: Floats
-    """Hz, of the vibration at that depth; 0: not known."""
+    """Hz, frequency of the vibration at that depth; 0: not known."""
 
 
 def lobes(
@@ -127,28 +127,28 @@ def lobes(
     cuts: Sequence[tuple[float, float]] = (),
     method: Literal["zeroth-order", "semi-discretisation"] = "zeroth-order",
 ) -> Lobes:
-    """Depths of cut up to which a cut does not chatter, by speed: ``stanok process lobes``.
+    """Stable depths of cut by speed: ``stanok process lobes``.
 
     Args:
         cut: the cut and the vibrations of tool and machine (TOML).
         speeds: range in rev/min.
-        count: of speeds in the range, 2 to 100000.
-        cuts: planned cuts to judge: rev/min and depth in mm.
-        method: of solution.
+        count: number of speeds in the range, 2 to 100000.
+        cuts: planned cuts to assess: rev/min and depth in mm.
+        method: method of solution.
 
     Raises:
         MachineFileError: faults of the file.
     """
     begin, end = (float(speed) for speed in speeds)
     if not 0.0 < begin < end < 1e9:
-        raise ValueError(f"speeds are {begin} to {end}; give rising ones in rev/min")
+        raise ValueError(f"speeds are {begin} to {end}; give rising speeds in rev/min")
     if not 2 <= count <= 100_000:
         raise ValueError(f"count is {count}; give 2 to 100000")
     if method not in ("zeroth-order", "semi-discretisation"):
         raise ValueError(f"method is {method!r}; give 'zeroth-order' or 'semi-discretisation'")
     planned = [(float(speed), float(depth)) for speed, depth in cuts]
     if not all(0.0 < value < 1e9 for pair in planned for value in pair):
-        raise ValueError("cuts: give speed and depth above 0 each")
+        raise ValueError("cuts: give a speed and a depth above 0 for each cut")
     text, arrays = _native.lobes(os.fspath(cut), (begin, end), count, planned, method)
     return Lobes(report=json.loads(text), **arrays)
 
@@ -165,13 +165,13 @@ def identify_turning(
 
     Args:
         log: the log, with the power of the spindle.
-        stock: the bar before the cut in the frame of the program: from that Z on this radius, mm; Z falls.
-        channel: of the cut.
-        spindle: of the machine, from 1 on.
-        coefficient_n: C of the material, N at 1 mm depth and 1 mm per turn, where it is known: tells the efficiency.
+        stock: the bar before the cut in program coordinates: pairs of Z and the radius from there on, mm; Z falls.
+        channel: channel of the cut.
+        spindle: number of the spindle in the machine, from 1.
+        coefficient_n: C of the material, N at 1 mm depth and 1 mm per revolution, if known; determines the efficiency.
 
     Raises:
-        RuntimeError: what the log lacks.
+        RuntimeError: data is missing from the log; the text names it.
     """
     pairs = [(float(z), float(radius)) for z, radius in stock]
     text, arrays = _native.identify_turning(os.fspath(log), pairs, channel, spindle, coefficient_n)
@@ -189,18 +189,19 @@ def identify_milling(
 ) -> MillingCut:
     """Idle power, forces of material and edge, and lag of the sensor, from the log of a milling program.
 
-    The program has a workpiece (``#workpiece``), which the log cuts once more: it tells what the tool met.
+    The program needs a workpiece (``#workpiece``). The log cuts it again to find the engagement of the tool.
 
     Args:
         log: the log, with the power of the spindle.
-        cut: tool and material (TOML, as of :func:`lobes`); its teeth and helix count, its forces are not looked at.
-        channel: of the cut.
-        spindle: of the machine, from 1 on.
-        tool: whose cuts are looked at; ``None``: all.
-        efficiency: of the drive, 0.1 to 1, where it is known; else the forces are those over the efficiency.
+        cut: tool and material (TOML, as of :func:`lobes`); its teeth and helix are used, its forces are not.
+        channel: channel of the cut.
+        spindle: number of the spindle in the machine, from 1.
+        tool: number of the tool whose cuts are used; ``None``: all tools.
+        efficiency: efficiency of the drive, 0.1 to 1, if known; otherwise the results are forces divided by the
+            efficiency.
 
     Raises:
-        RuntimeError: what the log lacks.
+        RuntimeError: data is missing from the log; the text names it.
         MachineFileError: faults of the file of tool and material.
     """
     if not 0.1 <= efficiency <= 1.0:
@@ -227,16 +228,16 @@ def identify_grinding(
 
     Args:
         log: the log, with the power of the wheel's spindle.
-        process: process file: geometry, speed, mass and damping; the search begins at its other figures.
-        channel: of the cycle.
-        spindle: of the wheel, of the machine, from 1 on.
+        process: process file: geometry, speed, mass and damping; the search begins at its other values.
+        channel: channel of the cycle.
+        spindle: spindle of the wheel, its number in the machine, from 1.
         touch_mm: X of the program at which the wheel touches, mm; ``None``: the allowance.
-        force_ratio: tangential over normal force of the wheel, 0.05 to 2.
+        force_ratio: tangential force divided by normal force of the wheel, 0.05 to 2.
         wheel_speed_m_per_s: surface speed of the wheel, 1 to 200 m/s.
-        efficiency: of the drive of the wheel, 0.1 to 1.
+        efficiency: efficiency of the drive of the wheel, 0.1 to 1.
 
     Raises:
-        RuntimeError: what the log lacks.
+        RuntimeError: data is missing from the log; the text names it.
     """
     for name, value, low, high in (("force_ratio", force_ratio, 0.05, 2.0), ("efficiency", efficiency, 0.1, 1.0),
                                    ("wheel_speed_m_per_s", wheel_speed_m_per_s, 1.0, 200.0)):

@@ -1,6 +1,6 @@
-"""What goes wrong, as exceptions: each with code, place and remedy.
+"""Errors as exceptions, each with a code, a place and a remedy.
 
-All derive from :class:`StanokError`. Wrong arguments of a function are what they are everywhere in
+All derive from :class:`StanokError`. Wrong arguments of a function raise the usual exceptions of
 Python: ``ValueError``, ``TypeError``, ``FileNotFoundError``.
 """
 from __future__ import annotations
@@ -27,10 +27,10 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that is wrong, or warned of, and where.
+    """An error or a warning, and its place.
 
-    ``code`` is a row of the catalogue (``stanok explain CODE``), empty for the faults of machine files.
-    ``line`` and ``column`` count from 1, 0 where there is no place in a text.
+    ``code`` is a row of the catalogue (``stanok explain CODE``), empty for faults of machine files.
+    ``line`` and ``column`` count from 1; 0 if there is no place in a text.
     """
 
     code: str
@@ -64,7 +64,7 @@ class Fault:
 
     @property
     def place(self) -> str:
-        """``"part.nc:12:5"``; empty where there is none."""
+        """``"part.nc:12:5"``; empty if there is no place."""
         if not self.file:
             return f"line {self.line}" if self.line else ""
         place = self.file
@@ -82,7 +82,7 @@ class Fault:
 
 
 class StanokError(Exception):
-    """Base of all errors of stanok. ``faults`` are all that were found; the properties are the first one's."""
+    """Base of all errors of stanok. ``faults`` has all faults; the properties describe the first one."""
 
     def __init__(self, faults: list[Fault] | tuple[Fault, ...] | str) -> None:
         if isinstance(faults, str):
@@ -92,7 +92,7 @@ class StanokError(Exception):
 
     @classmethod
     def from_json(cls, text: str) -> StanokError:
-        """From a list of faults as JSON; how the native module makes an error."""
+        """From a list of faults as JSON; the native module creates errors in this way."""
         return cls([Fault.from_json(value) for value in json.loads(text)])
 
     @property
@@ -115,7 +115,7 @@ class StanokError(Exception):
 
     @property
     def file(self) -> str:
-        """The file at fault; empty: none is."""
+        """The file of the fault; empty: none."""
         return self.first.file
 
     @property
@@ -135,15 +135,15 @@ class StanokError(Exception):
 
 
 class MachineFileError(StanokError):
-    """A machine or process file that is wrong; all of its faults at once."""
+    """A machine or process file is wrong; has all of its faults."""
 
 
 class ProgramError(StanokError):
-    """A program that cannot be loaded, or a block that cannot be executed."""
+    """A program cannot be loaded, or a block cannot be executed."""
 
 
 class RunError(StanokError):
-    """A simulation that did not end well: alarms, refusals. ``result`` has all there is of it."""
+    """A simulation ended with alarms or refusals. ``result`` has what was simulated until then."""
 
     def __init__(self, faults: list[Fault] | tuple[Fault, ...] | str, result: Simulation | None = None) -> None:
         super().__init__(faults)
@@ -151,15 +151,15 @@ class RunError(StanokError):
 
 
 class LogError(StanokError):
-    """A log that cannot be read."""
+    """A log cannot be read."""
 
 
 class GrindingError(StanokError):
-    """A grinding cycle that is refused before it is computed."""
+    """A grinding cycle was refused before it was computed."""
 
 
 class RequestError(StanokError):
-    """A request that the daemon refused. ``number`` is the code of JSON-RPC, ``data`` what else it said."""
+    """The daemon refused a request. ``number`` is the code of JSON-RPC, ``data`` has further members."""
 
     def __init__(self, faults: list[Fault] | tuple[Fault, ...] | str, number: int = 0,
                  data: dict[str, Any] | None = None) -> None:
@@ -169,4 +169,4 @@ class RequestError(StanokError):
 
 
 class ConnectionLost(StanokError, ConnectionError):
-    """There is no daemon, or it went away."""
+    """There is no daemon, or the connection to it was lost."""

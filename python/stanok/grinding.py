@@ -1,8 +1,8 @@
-"""Plunge grinding cycles that do not burn: design, verification, studies and the model itself.
+"""Plunge grinding cycles that do not burn: design, verification, studies and the model.
 
-The functions of ``stanok grind``, with their numbers. A *process file* (``.toml``) has the sheet of the
-technologist, a *control file* a table of feeds besides; docs/programmer/grinding.md has the model and its
-sources. X is the allowance that a rigid machine would have left, mm per side; Q the removal, mm² per rad.
+The functions of ``stanok grind``, with the same results. A *process file* (``.toml``) contains the data of the
+process, a *control file* also a table of feeds; docs/programmer/grinding.md describes the model and its sources.
+X is the allowance that a rigid machine would have left, mm per side; Q is the removal, mm² per rad.
 """
 from __future__ import annotations
 
@@ -28,29 +28,29 @@ Floats = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Samples:
-    """A cycle in time, a row for each step of the simulation; every array is ``(n,)``."""
+    """A cycle over time, one row for each step of the simulation; every array is ``(n,)``."""
 
     time_s: Floats
-    """s, from the touch on."""
+    """s, from the first contact."""
     x_mm: Floats
     """mm, commanded."""
     allowance_mm: Floats
-    """mm, left under the wheel."""
+    """mm, remaining under the wheel."""
     feed_mm_per_s: Floats
     """mm/s, commanded."""
     removal_mm2_per_rad: Floats
     """mm²/rad, Q."""
     removal_ratio: Floats
-    """Q over its boundary D(H): above 1 the part burns."""
+    """Q divided by its boundary D(H); above 1 the part burns."""
     deflection_mm: Floats
-    """mm, by which the wheel gives way."""
+    """mm, deflection of the wheel."""
 
 
 @dataclass(frozen=True)
 class Cycle:
-    """A cycle and what it is worth.
+    """A cycle and its assessment.
 
-    ``report`` is what ``stanok grind --json`` prints; the properties are its most used members.
+    ``report`` is the JSON of ``stanok grind --json``; the properties are its most used members.
     ``control_text`` is the control file.
     """
 
@@ -60,12 +60,12 @@ class Cycle:
 
     @property
     def ok(self) -> bool:
-        """Whether nothing burns, is bent too far or misses its size."""
+        """Whether nothing burns, no deflection is too large and the size is reached."""
         return bool(self.report["ok"])
 
     @property
     def law(self) -> Floats:
-        """``(m, 2)``: X mm and feed mm/s; straight between rows, two rows of one X are a jump."""
+        """``(m, 2)``: X mm and feed mm/s; linear between rows; two rows with the same X are a jump."""
         return np.array(self.report["law"], dtype=np.float64).reshape(-1, 2)
 
     @property
@@ -75,12 +75,12 @@ class Cycle:
 
     @property
     def time_s(self) -> float:
-        """Time of the cycle with its spark-out, s."""
+        """Time of the cycle including spark-out, s."""
         return float(self.report["cycle_time_s"])
 
     @property
     def findings(self) -> tuple[dict[str, str], ...]:
-        """What verification says, each with ``code`` and ``text``."""
+        """Findings of the verification, each with ``code`` and ``text``."""
         return tuple(self.report.get("findings", ()))
 
     def save(self, path: PathLike) -> None:
@@ -90,7 +90,7 @@ class Cycle:
 
 @dataclass(frozen=True)
 class Plunge:
-    """A law on the elastic system: what is left of the part, and the samples."""
+    """Result of an infeed law on the elastic system, and its samples."""
 
     time_s: float
     size_reached_s: float | None
@@ -107,10 +107,10 @@ class Plunge:
 class Study(Mapping[str, "npt.NDArray[Any]"]):
     """Designs over varied numbers: a mapping of the columns of ``stanok grind study`` to arrays ``(n,)``.
 
-    The columns of the variations come first; the last variation runs fastest. ``finding`` says why there is
-    no design; its numbers are ``nan`` then. ``text`` is the CSV, ``shape`` the counts of the variations of
-    the whole study, ``part`` which part of it this is, ``(k, n)`` as in :func:`study`. The headings stand in
-    the text of the first part only, so that the texts of all parts, one behind the other, are the whole.
+    The columns of the variations come first; the last variation changes fastest. ``finding`` says why a row
+    has no design; its numbers are then ``nan``. ``text`` is the CSV, ``shape`` the counts of the variations of
+    the whole study, ``part`` the part of the study, ``(k, n)`` as in :func:`study`. Only the text of the first
+    part has headings, so that the texts of all parts in order are the text of the whole study.
     """
 
     def __init__(self, text: str, shape: tuple[int, ...], part: tuple[int, int] = (1, 1),
@@ -139,28 +139,28 @@ class Study(Mapping[str, "npt.NDArray[Any]"]):
 
     @property
     def rows(self) -> int:
-        """Number of designs, here and not in other parts."""
+        """Number of designs in this part."""
         return len(self._columns["finding"])
 
     @classmethod
     def joined(cls, parts: Iterable[Study]) -> Study:
-        """The whole study of all its parts, in whatever order they come."""
+        """The whole study from all its parts, in any order."""
         ordered = sorted(parts, key=lambda one: one.part)
         if not ordered:
-            raise ValueError("there is no part")
+            raise ValueError("give the parts of a study")
         first = ordered[0]
         count = first.part[1]
         if any(one.shape != first.shape or one._headings != first._headings for one in ordered):
-            raise ValueError("these are parts of several studies")
+            raise ValueError("these are parts of different studies")
         if [one.part for one in ordered] != [(k, count) for k in range(1, count + 1)]:
             raise ValueError(f"give each of the {count} parts once, not "
                              + ", ".join(f"{k}/{n}" for k, n in (one.part for one in ordered)))
         return cls("".join(one.text for one in ordered), first.shape)
 
     def grid(self, name: str) -> npt.NDArray[Any]:
-        """A column in the shape of the variations: one dimension for each. A part has none: join them first."""
+        """A column in the shape of the variations, one dimension for each. Join parts first: a part has no shape."""
         if self.part != (1, 1):
-            raise ValueError(f"this is part {self.part[0]} of {self.part[1]} of a study; join all parts by Study.joined")
+            raise ValueError(f"this is part {self.part[0]} of {self.part[1]} of a study; join them with Study.joined")
         return self._columns[name].reshape(self.shape)
 
     def __repr__(self) -> str:
@@ -186,22 +186,22 @@ def design(
     """Designs a cycle: ``stanok grind design``.
 
     Args:
-        process: process file, or a control file whose law is designed anew.
-        points: number of switch points, 0 to 40; ``None``: as many as pay.
-        at_mm: their X in mm, falling, instead.
+        process: process file, or a control file whose law is designed again.
+        points: number of switch points, 0 to 40; ``None``: as many as shorten the cycle.
+        at_mm: X of the switch points in mm, falling, instead of their number.
         decimals: of X and feeds in the table, 3 to 7.
-        spread: how far ``stiffness`` and ``force_factor`` (parts, up to 0.9) and ``allowance`` (mm) may lie
-            to either side: one table for all of it.
+        spread: how far ``stiffness`` and ``force_factor`` (fractions, up to 0.9) and ``allowance`` (mm) may
+            deviate in both directions; one table that suits the whole range.
         feedback: gain of the iteration, below 1.
-        iterations: most iterations, 0 to 1000.
-        force: iterate on, even at a gain that is not stable.
+        iterations: maximum number of iterations, 0 to 1000.
+        force: continue to iterate even with an unstable gain.
         exact: removal Q = a R instead of the paper's triangle.
-        burn_margin: part by which the removal may exceed the burn line, 0 to 1.
-        spark_out_revolutions: revolutions of the part behind the last X, 0 to 1000.
+        burn_margin: fraction by which the removal may exceed the burn line, 0 to 1.
+        spark_out_revolutions: revolutions of the part after the last X, 0 to 1000.
         time_step_s: step of the simulation, 1e-6 to 0.0005 s.
 
     Raises:
-        GrindingError: what is refused, with its code. MachineFileError: faults of the process file.
+        GrindingError: the design is refused; has the code. MachineFileError: faults of the process file.
     """
     options = _options(process, exact, burn_margin, spark_out_revolutions, time_step_s)
     _iteration(options, feedback, iterations, force)
@@ -216,7 +216,7 @@ def design(
     parts = {key: _within(given.pop(key, 0.0), f"spread {key}", 0.0, 0.9)
              for key in ("stiffness", "force_factor", "allowance")}
     if given:
-        raise ValueError(f"spread knows stiffness, force_factor and allowance, not {', '.join(given)}")
+        raise ValueError(f"spread takes stiffness, force_factor and allowance, not {', '.join(given)}")
     return _cycle(_native.grind_design(options, parts["stiffness"], parts["force_factor"], parts["allowance"]))
 
 
@@ -231,7 +231,7 @@ def verify(
     spark_out_revolutions: float | None = None,
     time_step_s: float | None = None,
 ) -> Cycle:
-    """Holds the table of a control file against the boundary: ``stanok grind verify``. See :func:`design`."""
+    """Checks the table of a control file against the boundary: ``stanok grind verify``. See :func:`design`."""
     options = _options(control, exact, burn_margin, spark_out_revolutions, time_step_s)
     _iteration(options, feedback, iterations, force)
     return _cycle(_native.grind_verify(options))
@@ -252,15 +252,15 @@ def study(
     Args:
         process: process file, or control file.
         vary: ``{key: (from, to, count)}``, keys of the process file; at most a million designs.
-        part: ``(k, n)``: the k-th of n parts of the study, k from 1 on, for arrays of jobs on a cluster. All
-            parts are the study: :meth:`Study.joined` puts them together.
+        part: ``(k, n)``: the k-th of n parts of the study, k from 1, for arrays of jobs on a cluster.
+            :meth:`Study.joined` joins all parts to the study.
 
     >>> study = grinding.study("process.toml", {"stiffness": (2e7, 4e7, 21)})
     >>> study["stiffness"], study["cycle_time_s"]
     """
     options = _options(process, exact, burn_margin, spark_out_revolutions, time_step_s)
     if not vary:
-        raise ValueError("vary names no number")
+        raise ValueError("vary is empty; give at least one key of the process file")
     counts = []
     texts = []
     for key, (begin, end, count) in vary.items():
@@ -287,10 +287,10 @@ def program(
 
     Args:
         control: the control file.
-        machine: machine file whose grind channel runs it; ``None``: part spindle 1 and no wheel.
-        channel: of the machine; ``None``: the first grind channel.
+        machine: machine file whose grind channel runs the program; ``None``: part spindle 1 and no wheel.
+        channel: channel of the machine; ``None``: the first grind channel.
         wheel_speed_m_per_s: surface speed of the wheel, 1 to 200 m/s.
-        spark_out_revolutions: revolutions behind the last X.
+        spark_out_revolutions: revolutions after the last X.
         gauge_margin_mm: the gauge ends the last feed, at most this far below the last X, 0.001 to 1 mm; 0: none.
     """
     options = _options(control, False, None, spark_out_revolutions, None)
@@ -310,14 +310,14 @@ def plunge(
     spark_out_revolutions: float | None = None,
     time_step_s: float | None = None,
 ) -> Plunge:
-    """Runs an infeed law on the model of elastic machine and cut.
+    """Runs an infeed law on the model of the elastic machine and the cut.
 
     Args:
-        process: process file, or control file, for the process alone.
+        process: process file, or a control file, of which only the process is used.
         law: ``(m, 2)``, X mm and feed mm/s; X never rises, feeds are above 0.
-        goes_on: the last feed goes on until the size is reached; else the wheel stands at the last X.
+        goes_on: the last feed continues until the size is reached; otherwise the wheel stops at the last X.
         exact: removal Q = a R instead of the paper's triangle.
-        spark_out_revolutions: revolutions behind the last X.
+        spark_out_revolutions: revolutions after the last X.
         time_step_s: step of the simulation, 1e-6 to 0.0005 s.
     """
     options = _options(process, exact, None, spark_out_revolutions, time_step_s)
@@ -326,7 +326,7 @@ def plunge(
 
 
 def boundary(process: PathLike, allowance_mm: npt.ArrayLike, *, exact: bool = False) -> Floats:
-    """The permitted removal D(H), mm²/rad, of the allowance left in mm; any shape."""
+    """The permitted removal D(H), mm²/rad, for the remaining allowance in mm; any shape."""
     options = _options(process, exact, None, None, None)
     return np.asarray(_native.grind_boundary(options, np.asarray(allowance_mm, dtype=np.float64)))
 

@@ -1,4 +1,4 @@
-"""Programs without a machine that moves: records after block preparation, errors, feed laws."""
+"""Programs without motion of a machine: records after block preparation, errors, feed laws."""
 from __future__ import annotations
 
 import json
@@ -15,7 +15,7 @@ __all__ = ["Check", "FeedLawBlock", "Interpretation", "OtherPosition", "TiltedPl
 
 @dataclass(frozen=True)
 class Interpretation:
-    """What a program becomes: ``records`` as ``stanok interpret`` prints them, one a command."""
+    """Result of a program: ``records`` as printed by ``stanok interpret``, one per command."""
 
     records: list[dict[str, Any]]
     blocks: int
@@ -24,7 +24,7 @@ class Interpretation:
 
 @dataclass(frozen=True)
 class FeedLawBlock:
-    """A block under a feed law, as ``stanok check --estimate`` tells of it; ``None``: the law has none of it.
+    """A block under a feed law, as in ``stanok check --estimate``; ``None``: the law does not have this value.
 
     ``feed_first`` and ``feed_last`` are in ``feed_unit``, ``"mm/min"`` or ``"mm/rev"``. ``k_a`` and ``k_b``
     are duration and spacing of interruptions in revolutions, ``k_m`` is S_0min/S_0max.
@@ -50,9 +50,9 @@ class FeedLawBlock:
 
 @dataclass(frozen=True)
 class OtherPosition:
-    """The position of the rotary axes that ``word`` (``"P1"``, ``"P2"``) beside G53.1 or G53.6 asks for.
+    """The position of the rotary axes that ``word`` (``"P1"``, ``"P2"``) with G53.1 or G53.6 selects.
 
-    ``limit``: the one axis in ``axes`` cannot stand there, but only up to this angle; ``None``: it can be had.
+    ``limit``: the only axis in ``axes`` cannot reach this position, only this angle; ``None``: it is within reach.
     """
 
     word: str
@@ -62,10 +62,10 @@ class OtherPosition:
 
 @dataclass(frozen=True)
 class TiltedPlane:
-    """Where the rotary axes will stand when ``line`` aligns the tool with a tilted plane; angles in deg.
+    """Positions of the rotary axes when ``line`` aligns the tool with a tilted plane; angles in deg.
 
-    ``tool`` is the direction of the tool on the table, from its tip into the spindle. ``other`` is ``None``
-    where the tool is at the pole and there is no other position.
+    ``tool`` is the direction of the tool on the table, from its tip to the spindle. ``other`` is ``None``
+    if the tool is at the pole, where there is no other position.
     """
 
     file: str
@@ -77,7 +77,7 @@ class TiltedPlane:
 
 @dataclass(frozen=True)
 class Check:
-    """What is known of a program before a run. ``ok``: no fault is an error."""
+    """What is known about a program before a run. ``ok``: no fault is an error."""
 
     faults: tuple[Fault, ...]
     feed_laws: tuple[FeedLawBlock, ...]
@@ -103,16 +103,16 @@ def interpret(
     """The records of a program after block preparation: moves with their ends, spindles, offsets, laws.
 
     Args:
-        machine: a machine file, or one that was read.
-        program: the program; its folder is the first in which others are looked for.
-        channel: whose axes and words it uses.
-        scheme: kinematic scheme at the start; ``None``: the one of the machine file.
-        program_root: another folder in which programs are looked for.
-        million_steps: ends a program without an end after so many million steps.
-        check: raise at an error; else look at ``faults``.
+        machine: a machine file, or a machine that was read.
+        program: the program; its folder is the first one that is searched for other programs.
+        channel: channel whose axes and words it uses.
+        scheme: kinematic scheme at the start; ``None``: the scheme of the machine file.
+        program_root: another folder that is searched for programs.
+        million_steps: number of steps, in millions, after which an endless program is ended.
+        check: raise an exception if there is an error; otherwise see ``faults``.
 
     Returns:
-        An :class:`Interpretation`. A record is what ``stanok interpret`` prints: ``{"line": 3, "kind":
+        An :class:`Interpretation`. A record is a line of ``stanok interpret``: ``{"line": 3, "kind":
         "feed", "end": {"X": 10.0, ...}, "feed": 600.0, "feed_mode": "per_minute"}``; ends in mm and deg in
         the workpiece system, feeds in mm/min or mm/rev.
     """
@@ -135,10 +135,10 @@ def check(
     program_root: PathLike | None = None,
     million_steps: int | None = None,
 ) -> Check:
-    """All that can be known of a program before a run, as ``stanok check --estimate``; nothing is raised.
+    """Everything that can be found out about a program before a run, as in ``stanok check --estimate``.
 
-    The arguments are those of :func:`interpret`. Every pose is held against the limits of the axes; programs
-    that it runs on other channels are followed.
+    The arguments are those of :func:`interpret`. Faults of the program raise no exception. Every pose is
+    checked against the limits of the axes; programs that it starts on other channels are followed.
     """
     native, job = _job(machine, program, channel, scheme, program_root, million_steps)
     faults_text, laws_text, planes_text, blocks = _native.check(native, job)
@@ -161,7 +161,7 @@ def _job(machine: MachineLike, program: PathLike, channel: int, scheme: int | No
     if million_steps is not None and not 1 <= million_steps <= 1_000_000:
         raise ValueError(f"million_steps is {million_steps}; give 1 to 1000000")
     if scheme is not None and scheme < 0:
-        raise ValueError(f"scheme is {scheme}; give the number of one")
+        raise ValueError(f"scheme is {scheme}; give the number of a scheme")
     name, folder = located(program)
     job = _native.Program()
     job.name = name

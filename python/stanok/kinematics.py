@@ -1,4 +1,4 @@
-"""Kinematics of a machine on arrays of points: forward, inverse, derivatives."""
+"""Kinematics of a machine for arrays of points: forward, inverse and derivatives."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
@@ -29,19 +29,19 @@ class Jets(NamedTuple):
 class Kinematics:
     """The map between programmed points W and machine axes M in a scheme of a channel.
 
-    The very functions that the real-time cycle calls: axes of a simulation are, bit for bit, the inverse of
-    its points. Columns are the axes of the channel in its order (``axes``, ``words``); mm and deg.
+    These are the functions that the real-time cycle calls: axes of a simulation are, bit for bit, the inverse
+    of its points. Columns are the axes of the channel in its order (``axes``, ``words``); mm and deg.
 
     Args:
-        machine: a machine file, or one that was read.
-        channel: whose scheme it is.
-        scheme: its number; ``None``: the one of the machine file.
-        mode: ``"axes"``: linear axes are programmed as they are (G43, G49); ``"tip"``: the tool tip is led
-            through the rotary axes (G43.4).
-        nose_to_tip: vector from the spindle nose to the tip where the head stands at 0, ``(3,)`` mm;
-            ``(0, 0, -120)`` of a tool of 120 mm.
+        machine: a machine file, or a machine that was read.
+        channel: channel of the scheme.
+        scheme: number of the scheme; ``None``: the scheme of the machine file.
+        mode: ``"axes"``: linear axes are programmed directly (G43, G49); ``"tip"``: the tool tip is programmed,
+            regardless of the rotary axes (G43.4).
+        nose_to_tip: vector from the spindle nose to the tip when the head is at 0, ``(3,)`` mm;
+            ``(0, 0, -120)`` for a tool of 120 mm.
         offset: zero of the workpiece in the base of the scheme, by word, mm or deg.
-        turns: turns of the workpiece system, the first one first.
+        turns: rotations of the workpiece system, in order.
     """
 
     def __init__(self, machine: MachineLike, channel: int = 1, scheme: int | None = None, *,
@@ -72,7 +72,7 @@ class Kinematics:
 
     @property
     def words(self) -> tuple[str, ...]:
-        """The same axes as programs call them."""
+        """The words of the same axes in programs."""
         return self._channel.words
 
     @property
@@ -82,7 +82,7 @@ class Kinematics:
 
     @property
     def type(self) -> str:
-        """Its type, as the scheme file has it."""
+        """Type of the scheme, as in the scheme file."""
         return self._native.type()
 
     @property
@@ -92,7 +92,7 @@ class Kinematics:
 
     @property
     def winding(self) -> tuple[bool, ...]:
-        """Axes that the inverse gives only up to whole turns of 360 deg."""
+        """Axes that the inverse determines only up to whole turns of 360 deg."""
         return self._set(self._native.winding())
 
     def forward(self, axes: npt.ArrayLike) -> Floats:
@@ -107,13 +107,13 @@ class Kinematics:
 
     def jets(self, position: npt.ArrayLike, velocity: npt.ArrayLike, acceleration: npt.ArrayLike | None = None,
              jerk: npt.ArrayLike | None = None) -> Jets:
-        """Machine axes with velocity, acceleration and jerk, exactly, of a point that moves.
+        """Exact velocity, acceleration and jerk of the machine axes for a moving point.
 
         Args:
             position: programmed points, ``(n, k)`` or ``(k,)``, mm or deg.
             velocity: of the points, same shape, per s.
-            acceleration: per s², ``None``: zero.
-            jerk: per s³, ``None``: zero.
+            acceleration: of the points, per s²; ``None``: zero.
+            jerk: of the points, per s³; ``None``: zero.
         """
         given, shape = self._rows(position, "position")
         derivatives = []
@@ -125,9 +125,9 @@ class Kinematics:
         return Jets(*(array.reshape(shape) for array in self._native.jets(given, *derivatives)))
 
     def jacobian(self, points: npt.ArrayLike) -> Floats:
-        """Derivatives of the machine axes by the programmed coordinates: ``(n, k, k)`` or ``(k, k)``.
+        """Derivatives of the machine axes with respect to the programmed coordinates: ``(n, k, k)`` or ``(k, k)``.
 
-        ``J[i, a, p]`` is that of axis ``a`` by coordinate ``p``: mm or deg per mm or deg.
+        ``J[i, a, p]`` is the derivative of axis ``a`` with respect to coordinate ``p``: mm or deg per mm or deg.
         """
         given, shape = self._rows(points, "points")
         width = given.shape[1]

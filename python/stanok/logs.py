@@ -1,4 +1,4 @@
-"""Logs: setpoints and events of a run as arrays, whole or some rows at a time."""
+"""Logs: setpoints and events of a run as arrays, all at once or in chunks."""
 from __future__ import annotations
 
 import json
@@ -17,9 +17,9 @@ _events_at_a_time = 1000
 
 
 class Log:
-    """A log file. It is read once to know what is in it; setpoints and events are read again when asked for.
+    """A log file. It is read once for its contents; setpoints and events are read again when requested.
 
-    Nothing of it is kept in memory but its description, however long it is.
+    Only its description is kept in memory, however long the log is.
     """
 
     def __init__(self, path: PathLike) -> None:
@@ -48,38 +48,38 @@ class Log:
 
     @property
     def is_sound(self) -> bool:
-        """Nothing is damaged or cut; what can be read of another one is read."""
+        """Whether nothing is damaged or cut. The readable parts of other logs are read."""
         return self._is_sound
 
     @property
     def is_cut(self) -> bool:
-        """The recording was cut: the log ends within an event, or without its trailer."""
+        """Whether the recording was cut: the log ends within an event, or without its trailer."""
         return self._is_cut
 
     def chunks(self, rows: int, *, channel: int | None = None, columns: Columns = "all") -> Iterator[Setpoints]:
         """The setpoints of a channel, ``rows`` at a time (the last ones fewer), in the order of the file.
 
-        Memory is needed for one chunk only: about 430 bytes a row of five axes with all columns.
+        Needs the memory of one chunk: about 430 bytes per row of five axes with all columns.
         """
         if rows < 1:
             raise ValueError(f"rows is {rows}; give 1 or more")
         number = self._chosen(channel)
         names = column_names(columns)
         if not names:
-            raise ValueError("columns names none")
+            raise ValueError("columns is empty; give at least one name")
         cursor = _native.SetpointCursor(self._native, number, names)
         return self._read(cursor, number, rows)
 
     def setpoints(self, *, channel: int | None = None, columns: Columns = "all") -> Setpoints:
-        """All setpoints of a channel at once; the first one where the log has one channel only."""
+        """All setpoints of a channel; without ``channel``, of the only channel of the log."""
         number = self._chosen(channel)
         cursor = _native.SetpointCursor(self._native, number, column_names(columns))
         return self._setpoints(cursor.next(2**62), number)
 
     def events(self) -> Iterator[Event]:
-        """What happened, in the order of the file: alarms, warnings, messages of programs.
+        """Events in the order of the file: alarms, warnings, messages of programs.
 
-        ``file`` is that of the program, as a simulation names it; empty where the log does not tell.
+        ``file`` is the file of the program, as in a simulation; empty if the log does not contain it.
         """
         cursor = _native.EventCursor(self._native)
         while True:
@@ -90,12 +90,12 @@ class Log:
                 yield Event(**event)
 
     def situations(self, *, channel: int | None = None) -> Iterator[dict[str, Any]]:
-        """What gave the words of programs their meaning, one for each time when another one came into effect.
+        """Situations: what determines the meaning of the words of programs, one for each change.
 
-        Codes, units, work offset, the terms of the chain of frames, tool and its length, as a line of
-        ``stanok log situations --json``; lengths mm, angles deg, axes by their words. Holds from ``cycle`` on, for
-        setpoints of that cycle too. ``channel`` None: of all channels, in the order of the file. Logs of 0.1.0 have
-        none.
+        Codes, units, work offset, the terms of the frames, tool and tool length, like a line of
+        ``stanok log situations --json``; lengths in mm, angles in deg, axes by their words. A situation is valid
+        from ``cycle`` on, including the setpoints of that cycle. ``channel`` ``None``: all channels, in the order of
+        the file. Logs of 0.1.0 have none.
         """
         if channel is not None and channel < 1:
             raise ValueError(f"channel is {channel}; give 1 or more")
@@ -114,7 +114,7 @@ class Log:
             return channel
         if len(self._axes) != 1:
             raise ValueError(f"{self._path} has setpoints of channels {', '.join(map(str, self._axes)) or 'none'}; "
-                             "choose one by channel=")
+                             "choose one with channel=")
         return next(iter(self._axes))
 
     def _read(self, cursor: _native.SetpointCursor, channel: int, rows: int) -> Iterator[Setpoints]:
@@ -144,14 +144,14 @@ def read_log(path: PathLike, *, channel: int | None = ..., columns: Columns = ..
 
 def read_log(path: PathLike, *, channel: int | None = None, columns: Columns = "all",
              chunk: int | None = None) -> Setpoints | Iterator[Setpoints]:
-    """The setpoints of one channel of a log, with the bits of ``stanok log export``.
+    """The setpoints of one channel of a log, bit-identical to ``stanok log export``.
 
     Args:
         path: the log (``.lcm``).
-        channel: of the machine; needed where the log has several.
+        channel: channel of the machine; required if the log has several.
         columns: names of :data:`~stanok.ALL_COLUMNS`, or ``"all"``; ``None``: the usual ones.
-        chunk: rows at a time. Then an iterator of :class:`~stanok.Setpoints` is returned, and a log of any
-            length needs the memory of one chunk.
+        chunk: rows per chunk. An iterator of :class:`~stanok.Setpoints` is returned, and a log of any length
+            needs the memory of one chunk.
 
     Returns:
         :class:`~stanok.Setpoints`: ``(n,)`` and ``(n, k)`` arrays, mm, deg and s.

@@ -1,4 +1,4 @@
-"""Machine files: what a machine is, read once and used for many calls."""
+"""Machine files: the description of a machine, read once and used for many calls."""
 from __future__ import annotations
 
 import json
@@ -18,7 +18,7 @@ PathLike = Union[str, "os.PathLike[str]"]
 class Axis:
     """An axis of the machine. Lengths mm, angles deg, times s; ``None``: no limit.
 
-    ``stop_limits``: how many times ``acceleration_max`` and ``jerk_max`` a stop may use.
+    ``stop_limits``: multiple of ``acceleration_max`` and ``jerk_max`` that a stop may use.
     """
 
     name: str
@@ -42,7 +42,7 @@ class Scheme:
 
 @dataclass(frozen=True)
 class Channel:
-    """A channel: its axes by the names of the machine, by the words of its programs, and their units."""
+    """A channel: its axes by their names in the machine and their words in programs, and their units."""
 
     id: int
     name: str
@@ -54,9 +54,9 @@ class Channel:
 
 
 class Machine:
-    """A machine file with all that it names, as it was when it was read.
+    """A machine file with all files that it names, as they were when they were read.
 
-    It never changes and may be used by several threads at a time.
+    It never changes, and several threads may use it at the same time.
     """
 
     def __init__(self, path: PathLike) -> None:
@@ -69,7 +69,7 @@ class Machine:
 
     @property
     def path(self) -> Path:
-        """The file it was read from."""
+        """The file from which it was read."""
         return Path(self._native.path)
 
     @property
@@ -109,13 +109,13 @@ MachineLike = Union[Machine, PathLike]
 def load_machine(path: PathLike) -> Machine:
     """Reads a machine file (TOML).
 
-    Raises :class:`~stanok.errors.MachineFileError` with every fault of the file and those it names.
+    Raises :class:`~stanok.errors.MachineFileError` with every fault of the file and of the files it names.
     """
     return Machine(path)
 
 
 def as_machine(machine: MachineLike) -> Machine:
-    """The machine itself, or read from its file."""
+    """The machine itself, or the machine that is read from this file."""
     return machine if isinstance(machine, Machine) else Machine(machine)
 
 

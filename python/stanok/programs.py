@@ -1,4 +1,4 @@
-"""Where part programs are found: what the other modules have in common."""
+"""Locations of part programs, shared by the other modules."""
 from __future__ import annotations
 
 import os
@@ -11,10 +11,10 @@ Programs = Union[PathLike, Mapping[int, Union[PathLike, Sequence[PathLike]]]]
 
 
 def located(program: PathLike) -> tuple[str, str]:
-    """Name and folder of a program: its folder is the first in which other texts are looked for."""
+    """Name and folder of a program; its folder is the first one that is searched for other texts."""
     path = Path(program)
     if not path.name:
-        raise ValueError(f"{str(program)!r} names no program")
+        raise ValueError(f"{str(program)!r} does not name a program")
     return path.name, str(path.parent)
 
 
@@ -27,12 +27,12 @@ def by_channel(programs: Programs, channel: int) -> list[tuple[int, PathLike]]:
         several = [given] if isinstance(given, (str, os.PathLike)) else list(given)
         pairs.extend((number, one) for one in several)
     if not pairs:
-        raise ValueError("no program is named")
+        raise ValueError("no program is given")
     return pairs
 
 
 def search_roots(folders: Sequence[str], program_root: PathLike | None) -> list[str]:
-    """Folders of the programs, then ``program_root``, then the cycles that come with stanok."""
+    """Folders of the programs, then ``program_root``, then the standard cycles of stanok."""
     roots = list(dict.fromkeys(folders))
     if program_root is not None:
         roots.append(os.fspath(program_root))
@@ -45,12 +45,12 @@ def standard_cycles() -> list[str]:
 
 
 def example_machine(name: str) -> Path:
-    """The file of a machine that comes with stanok: ``example_machine("lathe")``; ``ValueError``: there is none."""
+    """The file of an example machine: ``example_machine("lathe")``; ``ValueError``: it does not exist."""
     return _example(_coming_with_stanok("config/machines", "machines"), f"{name}.toml")
 
 
 def example_program(name: str) -> Path:
-    """A program or process file that comes with stanok: ``example_program("helix.nc")``; ``ValueError``: none."""
+    """An example program or process file: ``example_program("helix.nc")``; ``ValueError``: it does not exist."""
     return _example(_coming_with_stanok("programs/examples", "examples"), name)
 
 
@@ -60,7 +60,7 @@ def _example(folders: list[Path], name: str) -> Path:
             return folder / name
     known = sorted(path.stem if name.endswith(".toml") else path.name
                    for folder in folders for path in folder.glob("*.*"))
-    raise ValueError(f"no {name} comes with stanok; there are {', '.join(known) or 'none'}")
+    raise ValueError(f"stanok has no example {name}; it has {', '.join(known) or 'none'}")
 
 
 def _coming_with_stanok(in_sources: str, installed: str) -> list[Path]:

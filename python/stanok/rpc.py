@@ -1,6 +1,6 @@
 """A client of a running machine: the operator protocol of ``stanokd`` in pure Python.
 
-``connect()`` gives a :class:`Client`, with a method for each of the protocol's
+``connect()`` returns a :class:`Client`, which has each method of the protocol
 (docs/reference/protocol.md)::
 
     with stanok.connect() as machine:
@@ -38,7 +38,7 @@ _stop_timeout_s = 1.0
 
 
 class Notification(collections.namedtuple("Notification", "method params")):
-    """What the daemon tells unasked: ``status``, ``event``, ``dropped``."""
+    """A message that the daemon sends without a request: ``status``, ``event``, ``dropped``."""
 
     method: str
     params: dict[str, Any]
@@ -59,12 +59,12 @@ class _Connection:
             self._socket.sendall(json.dumps(message).encode() + b"\n")
         except TimeoutError as error:
             self._socket.close()  # a part of the line is there: what is sent behind it would be its end
-            raise ConnectionLost("the daemon takes nothing; the connection is ended") from error
+            raise ConnectionLost("the daemon takes nothing; the connection was closed") from error
         except OSError as error:
             raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
 
     def receive(self, deadline: float | None) -> dict[str, Any] | None:
-        """The next message; ``None``: not until the deadline."""
+        """The next message; ``None``: none until the deadline."""
         while b"\n" not in self._buffer:
             if len(self._buffer) > _bytes_max:
                 raise ConnectionLost("the daemon sent a line without an end")
@@ -79,14 +79,14 @@ class _Connection:
             except OSError as error:
                 raise ConnectionLost(f"the connection to the daemon was lost: {error}") from error
             if not received:
-                raise ConnectionLost("the daemon ended the connection")
+                raise ConnectionLost("the daemon closed the connection")
             self._buffer += received
         line, _, rest = bytes(self._buffer).partition(b"\n")
         self._buffer = bytearray(rest)
         try:
             message = json.loads(line)
         except ValueError as error:
-            raise ConnectionLost("what answers at this address is no daemon of stanok") from error
+            raise ConnectionLost("the program that answers at this address is not a daemon of stanok") from error
         return message if isinstance(message, dict) else {}
 
     def close(self) -> None:
@@ -94,19 +94,19 @@ class _Connection:
 
 
 class Client(Methods):
-    """A connection to a daemon; a method for each of the protocol's, by noun and verb.
+    """A connection to a daemon. It has each method of the protocol, by noun and verb.
 
-    ``client.machine.status()`` asks ``machine.status``; parameters are keywords, in mm, deg and s as the
-    protocol has them; the result is the ``dict`` that it describes. A refused request is a
-    :class:`~stanok.RequestError` with code, place and remedy; a connection that went is
-    :class:`~stanok.ConnectionLost`. Calls of several threads are made one after the other, but for those that stop
-    the machine: each goes at once, over a connection of its own, and is answered even where the daemon has no place
-    left. What begins motion is refused where it comes to the machine later than it may (E6073).
+    ``client.machine.status()`` calls ``machine.status``. Parameters are keywords, in mm, deg and s as in the
+    protocol; the result is the ``dict`` that the protocol describes. A refused request raises
+    :class:`~stanok.RequestError` with code, place and remedy, and a lost connection raises
+    :class:`~stanok.ConnectionLost`. Calls of several threads are made one after another, except those that stop the
+    machine: each of these is sent immediately on its own connection, and is answered even if all connections of the
+    daemon are in use. A call that begins motion is refused if it reaches the machine too late (E6073).
 
     Args:
         address: see :func:`connect`.
-        timeout_s: for which an answer is waited for; ``None``: for ever. A ``TimeoutError`` afterwards; what
-            was asked for goes on in the daemon.
+        timeout_s: time to wait for an answer; ``None``: no limit. After it, ``TimeoutError`` is raised, and the
+            daemon continues with the request.
     """
 
     def __init__(self, address: Address = None, *, timeout_s: float | None = 30.0) -> None:
@@ -115,7 +115,7 @@ class Client(Methods):
         self._connection = _Connection(address, timeout_s)
         self._numbers = itertools.count(1)
         self._notifications: collections.deque[Notification] = collections.deque()
-        self._state: Any = {}  # as the status messages so far say
+        self._state: Any = {}  # from the status messages so far
         self._lock = threading.RLock()
         super().__init__(self.call)
         try:
@@ -126,14 +126,14 @@ class Client(Methods):
 
     @property
     def hello(self) -> dict[str, Any]:
-        """What the daemon said first: server, version, machine, channels, session and role."""
+        """The first message of the daemon: server, version, machine, channels, session and role."""
         return dict(self._hello)
 
     def call(self, method: str, params: Mapping[str, Any] | None = None, *,
              timeout_s: float | None = None) -> dict[str, Any]:
-        """Asks a method by its name; the members of the result.
+        """Calls a method by its name; returns the members of the result.
 
-        ``timeout_s`` instead of that of the client; a stop is waited for 1 s unless it is given.
+        ``timeout_s`` replaces that of the client; without it, the answer to a stop is waited for 1 s.
         """
         if method in STOPS:
             return stop(self._address, method, params, timeout_s=timeout_s or _stop_timeout_s)
@@ -150,16 +150,16 @@ class Client(Methods):
         while True:
             message = self._receive(deadline)
             if message is None:
-                raise TimeoutError(f"{method}: no answer in time; what was asked for goes on")
+                raise TimeoutError(f"{method}: no answer in time; the daemon continues with the request")
             if message.get("id") == number and "method" not in message:
                 return _result(message)
             self._keep(message)
 
     def notifications(self, timeout_s: float | None = None) -> Iterator[Notification]:
-        """What the daemon tells unasked, as it comes; ends when nothing came for ``timeout_s``.
+        """Messages that the daemon sends without a request, as they come; ends if none comes for ``timeout_s``.
 
-        Other threads may ask meanwhile. Of what comes while nobody takes it, one ``status`` is kept, with the whole
-        state, and the newest of everything else, 10,000 together: a gap shows in ``seq`` of the events.
+        Other threads may make calls meanwhile. Of the messages that nobody has taken yet, one ``status`` with the
+        whole state is kept, and the newest of all others, 10,000 together: ``seq`` of the events shows a gap.
         """
         while True:
             notification = self._next_notification(_deadline(timeout_s))
@@ -170,8 +170,8 @@ class Client(Methods):
     def events(self, timeout_s: float | None = None) -> Iterator[dict[str, Any]]:
         """Alarms, warnings and messages as they come, each once.
 
-        Each is ``{"seq", "cycle", "channel", "code", "text", "line"}``. Subscribes to them at the first one
-        that is asked for; ends when nothing came for ``timeout_s``.
+        Each is ``{"seq", "cycle", "channel", "code", "text", "line"}``. The subscription begins when the first one
+        is requested; ends if none comes for ``timeout_s``.
         """
         self.call("subscribe", {"topics": ["events"]})
         for notification in self.notifications(timeout_s):
@@ -180,7 +180,7 @@ class Client(Methods):
 
     def states(self, topics: Sequence[str] = ("machine", "channels", "drives"), *, rate_hz: float = 10.0,
                timeout_s: float | None = None) -> Iterator[dict[str, Any]]:
-        """The state of these topics, whole, whenever it has changed, at most ``rate_hz`` times a second."""
+        """The whole state of these topics after each change, at most ``rate_hz`` times a second."""
         self.call("subscribe", {"topics": list(topics), "rate_hz": rate_hz})
         state: Any = {}
         for notification in self.notifications(timeout_s):
@@ -191,7 +191,7 @@ class Client(Methods):
             yield state
 
     def close(self) -> None:
-        """Ends the connection; a program that runs goes on."""
+        """Closes the connection; a running program continues."""
         self._connection.close()
 
     def __enter__(self) -> Client:
@@ -211,12 +211,12 @@ class Client(Methods):
         if message.get("method") == "dropped":
             raise ConnectionLost([_fault(message.get("params") or {})])
         if message.get("method") != "hello":
-            raise ConnectionLost("what answers at this address is no daemon of stanok")
+            raise ConnectionLost("the program that answers at this address is not a daemon of stanok")
         params: dict[str, Any] = message["params"]
         return params
 
     def _next_notification(self, deadline: float | None) -> Notification | None:
-        """Waits in slices, between which other threads come to their turn; ``None``: not until the deadline."""
+        """Waits in slices, between which other threads can act; ``None``: none until the deadline."""
         while True:
             with self._lock:
                 if self._notifications:
@@ -257,7 +257,7 @@ class Client(Methods):
     def _why_it_went(self) -> str:
         for notification in self._notifications:
             if notification.method == "dropped":
-                return f"the daemon ended the connection: {_fault(notification.params)}"
+                return f"the daemon closed the connection: {_fault(notification.params)}"
         return ""
 
 
@@ -265,33 +265,33 @@ def connect(address: Address = None, *, timeout_s: float | None = 30.0) -> Clien
     """Connects to a running daemon.
 
     Args:
-        address: the socket of the daemon as a path; ``("host", port)`` or ``"tcp://host:port"`` where it is
-            passed on over TCP (``ssh -L 7001:/run/stanok/mill.sock host``); ``None``: as ``stanok`` does, the one of
-            ``$STANOK_SOCKET``, else the only one of this user.
-        timeout_s: for which answers are waited for; ``None``: for ever.
+        address: the socket of the daemon as a path; ``("host", port)`` or ``"tcp://host:port"`` if it is
+            forwarded over TCP (``ssh -L 7001:/run/stanok/mill.sock host``); ``None``: as for ``stanok``, that of
+            ``$STANOK_SOCKET``, otherwise the only one of this user.
+        timeout_s: time to wait for answers; ``None``: no limit.
 
     Raises:
-        ConnectionLost: there is none.
+        ConnectionLost: no daemon answers.
     """
     return Client(address, timeout_s=timeout_s)
 
 
 def stop(address: Address = None, method: str = "machine.estop", params: Mapping[str, Any] | None = None, *,
          timeout_s: float = _stop_timeout_s) -> dict[str, Any]:
-    """Stops the machine, whatever else its daemon and this program do: over a connection of its own.
+    """Stops the machine on a separate connection, whatever else its daemon and this program do.
 
     Args:
         address: see :func:`connect`.
         method: ``machine.estop``, ``machine.off``, ``program.hold``, ``program.stop`` or ``program.reset``.
-        params: ``{"channel": N}``, for those of a program.
-        timeout_s: for which the answer is waited for.
+        params: ``{"channel": N}``, for the methods of ``program``.
+        timeout_s: time to wait for the answer.
 
     Raises:
-        ConnectionLost: nothing was sent, or the daemon has gone.
-        TimeoutError: it was sent, and is not answered. Do not wait: use the emergency stop of the machine.
+        ConnectionLost: nothing was sent, or the daemon has ended.
+        TimeoutError: the stop was sent but not answered. Do not wait: use the emergency stop of the machine.
     """
     if method not in STOPS:
-        raise ValueError(f"{method} stops nothing: one of {', '.join(sorted(STOPS))}")
+        raise ValueError(f"{method} does not stop anything; give one of {', '.join(sorted(STOPS))}")
     connection = _Connection(address, timeout_s)
     try:
         connection.send(1, method, dict(params or {}))
@@ -301,7 +301,7 @@ def stop(address: Address = None, method: str = "machine.estop", params: Mapping
                 return _result(message)
     finally:
         connection.close()
-    raise TimeoutError(f"{method}: sent and not answered; use the emergency stop of the machine")
+    raise TimeoutError(f"{method}: sent but not answered; use the emergency stop of the machine")
 
 
 def _result(message: dict[str, Any]) -> dict[str, Any]:
@@ -377,7 +377,7 @@ def _only_socket() -> str:
                if path.is_socket()]
     if len(sockets) != 1:
         found = ", ".join(map(str, sockets)) or "none"
-        raise ConnectionLost(f"name the socket of the daemon: {len(sockets)} were found ({found})")
+        raise ConnectionLost(f"give the socket of the daemon: {len(sockets)} were found ({found})")
     return str(sockets[0])
 
 

@@ -18,13 +18,13 @@ ALL_COLUMNS: tuple[str, ...] = tuple(_native.columns())
 """Every column, in the order of ``stanok log export``."""
 
 USUAL_COLUMNS: tuple[str, ...] = ("time_s", "line", "path_speed", "tip_position", "position", "velocity")
-"""What is kept where nothing else is asked for: 140 bytes a cycle for five axes."""
+"""The columns that are kept by default: 140 bytes per cycle for five axes."""
 
 Columns = Union[Literal["all"], Sequence[str], None]
 
 
 def column_names(columns: Columns) -> list[str]:
-    """``None``: the usual ones; ``"all"``: every one."""
+    """``None``: the usual columns; ``"all"``: all columns."""
     if columns is None:
         return list(USUAL_COLUMNS)
     if isinstance(columns, str):
@@ -35,11 +35,11 @@ def column_names(columns: Columns) -> list[str]:
 
 
 class Setpoints(Mapping[str, "npt.NDArray[Any]"]):
-    """Setpoints of one channel, a row for each cycle that is kept.
+    """Setpoints of one channel, one row for each cycle that is kept.
 
-    A mapping of names to arrays; each is a property as well. ``n`` is the number of rows, ``k`` that of the
-    axes, in the order of ``axes``. Lengths are mm, angles deg, times s. The numbers are those of
-    ``stanok log export``, bit for bit. A column that was not asked for is a ``KeyError`` that says so.
+    A mapping of names to arrays; each array is also a property. ``n`` is the number of rows, ``k`` the number
+    of axes, in the order of ``axes``. Lengths are mm, angles deg, times s. The numbers are bit-identical to
+    ``stanok log export``. A column that was not requested raises a ``KeyError`` that says so.
     """
 
     def __init__(self, arrays: Mapping[str, npt.NDArray[Any]], channel: int, axes: Sequence[str],
@@ -62,7 +62,7 @@ class Setpoints(Mapping[str, "npt.NDArray[Any]"]):
 
     @property
     def words(self) -> tuple[str, ...]:
-        """The same axes as programs call them."""
+        """The words of the same axes in programs."""
         return self._words
 
     @property
@@ -88,8 +88,8 @@ class Setpoints(Mapping[str, "npt.NDArray[Any]"]):
         if name in self._arrays:
             return self._arrays[name]
         if name in ALL_COLUMNS:
-            raise KeyError(f"{name!r} was not kept: name it in columns, or give columns='all'")
-        raise KeyError(f"there is no column {name!r}; there are {', '.join(ALL_COLUMNS)}")
+            raise KeyError(f"{name!r} was not kept; name it in columns, or give columns='all'")
+        raise KeyError(f"there is no column {name!r}; the columns are {', '.join(ALL_COLUMNS)}")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._arrays)
@@ -112,7 +112,7 @@ class Setpoints(Mapping[str, "npt.NDArray[Any]"]):
 
     @property
     def seq(self) -> Integers:
-        """``(n,)`` int64, running number of the setpoints of this channel: a gap is a loss."""
+        """``(n,)`` int64, number of the setpoint of this channel; a gap means a loss."""
         return self["seq"]
 
     @property
@@ -122,7 +122,7 @@ class Setpoints(Mapping[str, "npt.NDArray[Any]"]):
 
     @property
     def flags(self) -> npt.NDArray[np.int8]:
-        """``(n,)`` int8: bit 0 moving, 1 waiting, 2 a program run is under way."""
+        """``(n,)`` int8: bit 0 moving, 1 waiting, 2 a program run is in progress."""
         return self["flags"]
 
     @property
@@ -142,7 +142,7 @@ class Setpoints(Mapping[str, "npt.NDArray[Any]"]):
 
     @property
     def block(self) -> Integers:
-        """``(n,)`` int64, running number of the block in the run."""
+        """``(n,)`` int64, number of the block in the run."""
         return self["block"]
 
     @property

@@ -1,4 +1,4 @@
-"""Simulation: the whole runtime on a virtual clock, in memory, repeatable to the bit."""
+"""Simulation: the whole runtime on a virtual clock, in memory, with bit-identical results in each run."""
 from __future__ import annotations
 
 import json
@@ -18,7 +18,7 @@ __all__ = ["Event", "OperatorEvent", "Run", "Simulation", "simulate"]
 
 @dataclass(frozen=True)
 class OperatorEvent:
-    """What an operator does in a cycle of a simulation: a method of the operator protocol.
+    """An action of an operator in a cycle of a simulation: a method of the operator protocol.
 
     ``OperatorEvent(2000, "override.feed", {"percent": 50})``
     """
@@ -34,7 +34,7 @@ class OperatorEvent:
 
 @dataclass(frozen=True)
 class Event:
-    """What happened in a cycle. ``code`` is empty for messages of programs, ``channel`` 0 the machine."""
+    """An event in a cycle. ``code`` is empty for messages of programs; ``channel`` 0 is the machine."""
 
     cycle: int
     time_s: float
@@ -47,7 +47,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Run:
-    """A run of a program. ``end`` is where it ended in the workpiece system, ``end_axes`` in machine axes."""
+    """A run of a program. ``end`` is its end point in the workpiece system, ``end_axes`` in machine axes."""
 
     channel: int
     number: int
@@ -66,11 +66,11 @@ class Run:
 
 @dataclass(frozen=True)
 class Simulation:
-    """What a simulation gives.
+    """Result of a simulation.
 
-    ``setpoints`` are the arrays by channel; ``events`` what happened, in the order of the cycles;
-    ``alarms`` why channels stopped; ``refusals`` why programs did not start or go on; ``load_faults`` what
-    is wrong with, or warned of in, their texts; ``refused_events`` of the operator.
+    ``setpoints`` has the arrays by channel; ``events`` the events in the order of the cycles; ``alarms`` why
+    channels stopped; ``refusals`` why programs did not start or continue; ``load_faults`` the errors and
+    warnings of their texts; ``refused_events`` the refused actions of operators.
     """
 
     machine: Machine
@@ -88,7 +88,7 @@ class Simulation:
     load_faults: tuple[Fault, ...]
     refused_events: tuple[str, ...]
     process: dict[str, Any] | None
-    """How force control held the force, where it did."""
+    """Results of force control, if it was on."""
 
     def __getitem__(self, channel: int) -> Setpoints:
         """Setpoints of a channel."""
@@ -97,7 +97,7 @@ class Simulation:
 
     @property
     def faults(self) -> tuple[Fault, ...]:
-        """All that kept the run from ending well."""
+        """All faults that made the run fail."""
         errors = tuple(fault for fault in self.load_faults if fault.severity == "error")
         return errors + self.alarms + (() if errors else self.refusals)
 
@@ -124,24 +124,24 @@ def simulate(
 ) -> Simulation:
     """Runs programs on the virtual clock and keeps the setpoints of every cycle in memory.
 
-    The same code and the same cycle as in the daemon and in ``stanok simulate``, with the same bits. Other
-    threads of Python go on meanwhile; Ctrl-C ends it.
+    The code and the cycle are those of the daemon and of ``stanok simulate``, and the results are
+    bit-identical. Other threads of Python continue meanwhile; Ctrl-C ends the simulation.
 
     Args:
-        machine: a machine file, or one that was read (:func:`~stanok.load_machine`).
-        programs: a program, or ``{channel: program}`` (a list of programs runs one after the other).
-        channel: of a single program.
-        events: what operators do: :class:`OperatorEvent`, or mappings ``{"cycle", "method", "params"}``.
-        schemes: kinematic scheme at the start, by channel; else the one of the machine file.
-        program_root: a folder in which called programs are found, behind those of the programs themselves.
-        until_s: machine time after which the run ends, s; ``None``: until all channels are idle.
-        drives: ``"ideal"``: axes are where their setpoints are; ``"simulated"``: those of the machine file.
+        machine: a machine file, or a machine that was read (:func:`~stanok.load_machine`).
+        programs: a program, or ``{channel: program}`` (the programs of a list run one after another).
+        channel: channel of a single program.
+        events: actions of operators: :class:`OperatorEvent`, or mappings ``{"cycle", "method", "params"}``.
+        schemes: kinematic scheme at the start, by channel; otherwise that of the machine file.
+        program_root: a folder that is searched for called programs, after the folders of the programs.
+        until_s: machine time at which the run ends, s; ``None``: when all channels are idle.
+        drives: ``"ideal"``: axes are always at their setpoints; ``"simulated"``: drives of the machine file.
         sensors: CSV of sensor values over machine time (``stanok simulate --sensors``).
-        log: a log to write besides, as ``stanok simulate --log``.
-        columns: what is kept: names of :data:`~stanok.ALL_COLUMNS`, ``"all"``, or ``None``:
+        log: a log that is written as well, as with ``stanok simulate --log``.
+        columns: columns that are kept: names of :data:`~stanok.ALL_COLUMNS`, ``"all"``, or ``None``:
             :data:`~stanok.USUAL_COLUMNS`. The memory grows by 8 bytes for each number and cycle.
-        every: keeps one cycle of so many.
-        check: raise where the run did not end well; else look at ``ok`` and ``faults``.
+        every: keeps one of this number of cycles.
+        check: raise an exception if the run fails; otherwise see ``ok`` and ``faults``.
 
     Returns:
         A :class:`Simulation`; ``result[1].position`` is an array ``(n, k)`` of cycles and axes, mm and deg.
@@ -150,7 +150,7 @@ def simulate(
         ProgramError: a program cannot be loaded, with file, line, column and remedy.
         RunError: alarms or refusals; ``error.result`` has what was kept until then.
         MachineFileError: the machine file is wrong.
-        ValueError: an argument is.
+        ValueError: an argument is wrong.
     """
     read = as_machine(machine)
     pairs = [(number, *located(program)) for number, program in by_channel(programs, channel)]
@@ -168,7 +168,7 @@ def simulate(
     text, arrays = _native.simulate(read._native, job, column_names(columns), every)
     result = _simulation(read, json.loads(text), arrays)
     if check and not result.ok and not result.until_reached:
-        faults = result.faults or (Fault(code="", message="the run did not end well"),)
+        faults = result.faults or (Fault(code="", message="the run failed"),)
         if any(fault.severity == "error" for fault in result.load_faults):
             raise ProgramError(faults)
         raise RunError(faults, result)
