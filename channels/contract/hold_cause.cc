@@ -9,15 +9,15 @@ std::string_view text_of(HoldCause cause) {
     case HoldCause::program_stop:
       return "program stop";
     case HoldCause::channel_stop:
-      return "channel_stop of another channel";
+      return "channel_stop by another channel";
     case HoldCause::owner_failed:
-      return "the program that started it has failed";
+      return "the program that started this one failed";
     case HoldCause::single_block:
       return "single block";
     case HoldCause::sensor_fault:
-      return "the power sensor of force control";
+      return "a fault of the power sensor of force control";
     case HoldCause::clock_gap:
-      return "a standstill of the control";
+      return "an interruption of the control";
     case HoldCause::none:
       break;
   }

@@ -125,7 +125,7 @@ void measure_circle (num inside, num diameter, num at_z) {
     moved = hypot (middle[0] - last[0], middle[1] - last[1]);
     passes += 1;
     if (passes > #<_measure_repeat>) {
-      terminate (4326, "the middle still moves by " + str (moved, 4) + " from pass to pass");
+      terminate (4326, "the center still moves by " + str (moved, 4) + " from pass to pass");
     }
   } while (moved > #<_measure_within>*measure_mm ());
   if (inside > 0) { measure_go (start[0], start[1], at_z); }
@@ -172,7 +172,7 @@ void measure_sphere (num diameter, num top) {
     moved = abs (middle[2] - last_z);
     passes += 1;
     if (passes > #<_measure_repeat>) {
-      terminate (4326, "the middle still moves by " + str (moved, 4) + " from pass to pass");
+      terminate (4326, "the center still moves by " + str (moved, 4) + " from pass to pass");
     }
   } while (moved > #<_measure_within>*measure_mm ());
   measure_go (start[0], start[1], start[2]);

@@ -28,7 +28,7 @@ void measure_tool_length (num about = 0) {
   measure_settings ();
   num expected = about > 0 ? about : measure_length ();
   if ($tool == 0 || expected <= 0) {
-    terminate (4323, "there is no tool of a known length; say about how long it is");
+    terminate (4323, "no tool of a known length is active; give its approximate length");
   }
   G49 G59.3 G90 G94
   num start[3], touch[3];

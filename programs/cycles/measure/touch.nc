@@ -77,7 +77,7 @@ void measure_go (num to_x, num to_y, num to_z) {
   measure_probed (place);
   if ($probe_ok && measure_distance (place, to) > MEASURE_SAME*measure_mm ()) {
     terminate (4324, "the probe touched at X" + str (place[0], 3) + " Y" + str (place[1], 3)
-                     + " Z" + str (place[2], 3) + ", on its way between two touches");
+                     + " Z" + str (place[2], 3) + ", on the way between two touches");
   }
   measure_here (place);
   if (measure_distance (place, to) > MEASURE_SHORTEST*measure_mm ()) {
@@ -167,7 +167,7 @@ void measure_begin () {
   G90 G94
   measure_settings ();
   if (measure_radius () <= 0) {
-    terminate (4323, "tool " + str ($tool) + " has no radius: it is no probe");
+    terminate (4323, "tool " + str ($tool) + " has no radius: it is not a probe");
   }
   #<_measured_x>=0 #<_measured_y>=0 #<_measured_z>=0
   #<_measured_error_x>=0 #<_measured_error_y>=0 #<_measured_error_z>=0

@@ -44,7 +44,7 @@ void measure_add_wear (num tool, num edge, string name, num change) {
   num most = #<_measure_wear_max>*measure_mm ();
   if (abs (change) > most) {
     terminate (4329, name + " of tool " + str (tool) + " would change by " + str (change, 4)
-                     + "; the most is " + str (most, 4));
+                     + "; the limit is " + str (most, 4));
   }
   num before = gettable_tool (tool, edge, name);
   settable_tool (tool, edge, name, before + change);
@@ -54,7 +54,7 @@ void measure_add_wear (num tool, num edge, string name, num change) {
 void measure_write_wear_radius (num tool, num edge = 1) {
   measure_settings ();
   if (abs (#<_measured_size_kind>) != 1) {
-    terminate (4328, "the last measurement was no bore, slot, boss or web");
+    terminate (4328, "the last measurement was not a bore, slot, boss or web");
   }
   measure_add_wear (tool, edge, "wear_radius",
                     #<_measured_size_kind>*#<_measured_size_error>/2);
@@ -71,7 +71,7 @@ void measure_write_wear_length (num tool, num edge = 1) {
 void measure_write_set_up () {
   measure_settings ();
   if (#<_measured_size_kind> != MEASURE_PLANE) {
-    terminate (4328, "the last measurement was no plane");
+    terminate (4328, "the last measurement was not a plane");
   }
   num n_x = #<_measured_normal_x>, n_y = #<_measured_normal_y>, n_z = #<_measured_normal_z>;
   num face = #<_measured_z> - #<_measured_error_z>;

@@ -95,7 +95,7 @@ void engrave_letter (string strokes, num from_x, num from_y, num scale, num angl
 void engrave (string text, num height, num at_z, num angle = 0, num feed = 0, num plunge = 0) {
   M73
   if (height <= 0) { terminate (4403, "the height of letters must be above 0"); }
-  if (plunge > 0 && feed <= 0) { terminate (4403, "a feed for plunging needs one along the strokes"); }
+  if (plunge > 0 && feed <= 0) { terminate (4403, "a feed for plunging also needs a feed along the strokes"); }
   for (num idx = 0; idx < len (text); idx++) { engrave_strokes (upper (substr (text, idx, 1))); }
   G90 G17
   num from_x = $prog_pos[X], from_y = $prog_pos[Y];

@@ -5,7 +5,7 @@
 
 void hole_refuse_count (num count) {
   if (count < 1 || count != floor (count)) {
-    terminate (4402, "a pattern has a whole number of holes, from 1 on");
+    terminate (4402, "a pattern needs a whole number of holes, at least 1");
   }
 }
 

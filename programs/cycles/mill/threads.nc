@@ -9,12 +9,12 @@ void thread_refuse (string reason) { terminate (4401, reason); }
 
 void thread_check (num lead, num top, num bottom, num teeth) {
   if (lead == 0) { thread_refuse ("a thread needs a lead"); }
-  if (bottom >= top) { thread_refuse ("the bottom of a thread lies below its top"); }
+  if (bottom >= top) { thread_refuse ("the bottom of a thread must be below its top"); }
   if (teeth < 1 || teeth != floor (teeth)) {
-    thread_refuse ("teeth is a whole number from 1 on");
+    thread_refuse ("teeth must be a whole number of at least 1");
   }
   if ($tool_radius <= 0) {
-    thread_refuse ("tool " + str ($tool) + " has no radius: it mills no thread");
+    thread_refuse ("tool " + str ($tool) + " has no radius: it cannot mill a thread");
   }
 }
 
