@@ -1,4 +1,4 @@
-// visit_in_cycle: std::visit for functions that the real-time cycle reaches.
+// visit_in_cycle: std::visit for functions that the real-time cycle reaches; and holds_one_of.
 //
 // std::visit may throw, so that clang refuses it there. A variant whose alternatives are trivially
 // copyable always holds one of them: what it holds is found by asking for one after the other,
@@ -24,6 +24,12 @@ constexpr decltype(auto) visit_in_cycle(Visitor&& visitor,
   } else {
     return visitor(*std::get_if<first>(&variant));
   }
+}
+
+// Whether the variant holds one of `Kinds`.
+template <class... Kinds, class Variant>
+[[nodiscard]] constexpr bool holds_one_of(const Variant& variant) RT_SAFE {
+  return (std::holds_alternative<Kinds>(variant) || ...);
 }
 
 }  // namespace stanok

@@ -31,7 +31,7 @@ constexpr Codes resume{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothi
                        yes,         yes,         alarm,       alarm,       stops};
 constexpr Codes select{off,           yes,           yes,   by_hand, switches,
                        scheme_in_use, scheme_in_use, alarm, alarm,   stops};
-constexpr Codes jog{off, yes, yes, yes, switches, runs, runs, yes, off, stops};
+constexpr Codes jog_codes{off, yes, yes, yes, switches, runs, runs, yes, off, stops};
 constexpr Codes touch{yes, yes, yes, by_hand, switches, runs, runs, yes, yes, stops};
 constexpr Codes tables{yes, yes, yes, yes, yes, runs, runs, yes, yes, stops};
 
@@ -52,7 +52,7 @@ const Codes& codes_of(AdmissionRule rule) RT_SAFE {
     case AdmissionRule::select:
       return select;
     case AdmissionRule::jog:
-      return jog;
+      return jog_codes;
     case AdmissionRule::tables:
       return tables;
     case AdmissionRule::touch:

@@ -12,7 +12,7 @@ using Rule = AdmissionRule;
 using Reach = CommandReach;
 
 // In the order of OperatorAction.
-constexpr auto rows = std::to_array<ActionRow>({
+constexpr auto action_rows = std::to_array<ActionRow>({
     {Action::machine_on, "machine_on", Effect::begins, Rule::power_on, Reach::all_channels},
     {Action::machine_off, "machine_off", Effect::stops, Rule::always, Reach::channel},
     {Action::machine_estop, "machine_estop", Effect::stops, Rule::always, Reach::channel},
@@ -47,26 +47,26 @@ constexpr auto rows = std::to_array<ActionRow>({
 });
 
 consteval bool is_complete() {
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (place_of(rows[k].action) != k) return false;
+  for (std::size_t k = 0; k < action_rows.size(); ++k) {
+    if (place_of(action_rows[k].action) != k) return false;
   }
-  return rows.size() == std::variant_size_v<OperatorCommand>;
+  return action_rows.size() == std::variant_size_v<OperatorCommand>;
 }
 static_assert(is_complete(), "an action has no row, or stands in another place");
 
 }  // namespace
 
 const ActionRow& row_of(OperatorAction action) RT_SAFE {
-  return rows[place_of(action)];
+  return action_rows[place_of(action)];
 }
 
 std::string_view name_of(OperatorAction action) {
-  return place_of(action) < rows.size() ? row_of(action).name : std::string_view();
+  return place_of(action) < action_rows.size() ? row_of(action).name : std::string_view();
 }
 
 std::optional<OperatorAction> operator_action(std::string_view name) {
-  const auto row = std::ranges::find(rows, name, &ActionRow::name);
-  return row == rows.end() ? std::nullopt : std::optional(row->action);
+  const auto row = std::ranges::find(action_rows, name, &ActionRow::name);
+  return row == action_rows.end() ? std::nullopt : std::optional(row->action);
 }
 
 bool is_stop(OperatorAction action) RT_SAFE {

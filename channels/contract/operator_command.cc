@@ -167,21 +167,21 @@ void convert(auto& form, commands::ToolTouch& command) {
   form.value_2(command.edge);
 }
 
-using Made = std::optional<OperatorCommand>;
+using MadeCommand = std::optional<OperatorCommand>;
 
 template <std::size_t action>
-Made made(const CommandFields& fields) {
+MadeCommand made(const CommandFields& fields) {
   std::variant_alternative_t<action, OperatorCommand> command;
   FromFields form(fields);
   convert(form, command);
-  return form.is_known() ? Made(command) : std::nullopt;
+  return form.is_known() ? MadeCommand(command) : std::nullopt;
 }
 
 constexpr std::size_t action_count = std::variant_size_v<OperatorCommand>;
 
 // A function for each action, in their order.
 constexpr auto makers = []<std::size_t... action>(std::index_sequence<action...>) {
-  return std::array<Made (*)(const CommandFields&), action_count>{&made<action>...};
+  return std::array<MadeCommand (*)(const CommandFields&), action_count>{&made<action>...};
 }(std::make_index_sequence<action_count>());
 
 }  // namespace

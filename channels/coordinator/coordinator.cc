@@ -35,11 +35,6 @@ struct Commission {
   Request operator()(const auto& /*command*/) const RT_SAFE { return requests::ProgramReset{}; }
 };
 
-template <class... Kinds>
-bool holds_one_of(const Request& request) RT_SAFE {
-  return (std::holds_alternative<Kinds>(request) || ...);
-}
-
 // What begins something on another channel, or for an operator.
 bool begins_something(const Errand& errand) RT_SAFE {
   if (errand.target < 0 || errand.asker == errand.target) return false;

@@ -32,11 +32,6 @@ Wait wait_of(const Request& request) RT_SAFE {
 constexpr int items_per_cycle = 16;  // bound of work
 constexpr double drives_obey_within_s = 3.0;
 
-template <class... Contents>
-bool holds_one_of(const ItemContent& content) RT_SAFE {
-  return (std::holds_alternative<Contents>(content) || ...);
-}
-
 // What a program brings about, as opposed to what its load, reset or switch needs.
 bool is_of_program(const ItemContent& content) RT_SAFE {
   return holds_one_of<lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode,

@@ -57,7 +57,7 @@ kinematics::SchemeConfig scheme_of(const lang::TransformationChange& change,
              : kinematics::cylinder_scheme(active, change.rotary_axis, change.radius_mm);
 }
 
-std::string name_of(const lang::TransformationChange& change) {
+std::string name_of_change(const lang::TransformationChange& change) {
   return change.kind == lang::Transformation::polar_face ? "face" : "cylinder";
 }
 
@@ -77,7 +77,7 @@ std::optional<Diagnostic> FaceTransformation::refusal(const lang::Transformation
   const std::string defect =
       kinematics::scheme_defect(scheme_of(change, active.config(), kinematics::FaceSide::positive));
   if (!defect.empty()) {
-    return refused("no " + name_of(change) + " transformation here: " + defect,
+    return refused("no " + name_of_change(change) + " transformation here: " + defect,
                    "change to a scheme of type lathe or cartesian that has the rotary axis first");
   }
   const motion::AxisLimits& limits = motion_.axes[change.rotary_axis];

@@ -13,7 +13,7 @@
 namespace stanok::channels {
 namespace {
 
-using Made = Expected<std::unique_ptr<const motion::FeedLaw>, Diagnostic>;
+using MadeLaw = Expected<std::unique_ptr<const motion::FeedLaw>, Diagnostic>;
 
 // The smallest increment of feed: 0.1 mm/min, 0.001 mm/rev.
 constexpr double feed_step_per_minute = 0.1;
@@ -45,7 +45,7 @@ motion::LawUnits units_of(const lang::FeedLaw& wanted) {
 // From S_n to S_k over the block: |dl| is rounded down to increments of the machine first, so that
 // all increments lie within the block; the number of increments comes from dS, and dn follows from
 // it.
-Made make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) {
+MadeLaw make_linear_over_block(const lang::FeedLaw& wanted, const LawPlace& place) {
   if (place.block_mm <= 0.0) {
     return misfit("a feed law with `S_k` but without `dl` has no length over which it is spread",
                   "give `dl`, or write the addresses in the block with the motion");
@@ -82,7 +82,7 @@ std::uint64_t increments_to_end(const lang::FeedLaw& wanted, const LawPlace& pla
   return ~std::uint64_t{0};
 }
 
-Made make_linear(const lang::FeedLaw& wanted, const LawPlace& place) {
+MadeLaw make_linear(const lang::FeedLaw& wanted, const LawPlace& place) {
   if (wanted.path_step_mm <= 0.0) return make_linear_over_block(wanted, place);
   motion::LinearLawParameters parameters{
       .feed_first = wanted.feed_first,
@@ -101,7 +101,7 @@ Made make_linear(const lang::FeedLaw& wanted, const LawPlace& place) {
   return std::make_unique<const motion::LinearLaw>(units_of(wanted), parameters);
 }
 
-Made make_modulated(const lang::FeedLaw& wanted, const LawPlace&) {
+MadeLaw make_modulated(const lang::FeedLaw& wanted, const LawPlace&) {
   return std::make_unique<const motion::ModulatedLaw>(
       units_of(wanted),
       motion::ModulatedLawParameters{.feed_min = wanted.feed_first,
@@ -110,11 +110,11 @@ Made make_modulated(const lang::FeedLaw& wanted, const LawPlace&) {
                                      .steps = static_cast<std::uint64_t>(wanted.steps)});
 }
 
-Made make_interrupted(const lang::FeedLaw& wanted, const LawPlace&) {
+MadeLaw make_interrupted(const lang::FeedLaw& wanted, const LawPlace&) {
   return std::make_unique<const motion::InterruptedLaw>(wanted.stand_mm, wanted.cut_mm);
 }
 
-Made make_curve(const lang::FeedLaw& wanted, const LawPlace& place) {
+MadeLaw make_curve(const lang::FeedLaw& wanted, const LawPlace& place) {
   const motion::LawUnits units = units_of(wanted);
   std::vector<motion::CurveLawPoint> points;
   points.reserve(wanted.curve.size());
@@ -127,10 +127,10 @@ Made make_curve(const lang::FeedLaw& wanted, const LawPlace& place) {
 
 struct LawRow {
   lang::FeedLaw::Kind kind;
-  Made (*make)(const lang::FeedLaw& wanted, const LawPlace& place);
+  MadeLaw (*make)(const lang::FeedLaw& wanted, const LawPlace& place);
 };
 
-constexpr std::array rows{
+constexpr std::array law_rows{
     LawRow{lang::FeedLaw::Kind::linear, make_linear},
     LawRow{lang::FeedLaw::Kind::modulated, make_modulated},
     LawRow{lang::FeedLaw::Kind::interrupted, make_interrupted},
@@ -139,8 +139,8 @@ constexpr std::array rows{
 
 }  // namespace
 
-Made make_feed_law(const lang::FeedLaw& wanted, const LawPlace& place) {
-  const auto row = std::find_if(rows.begin(), rows.end(),
+MadeLaw make_feed_law(const lang::FeedLaw& wanted, const LawPlace& place) {
+  const auto row = std::find_if(law_rows.begin(), law_rows.end(),
                                 [&](const LawRow& one) { return one.kind == wanted.kind; });
   return row->make(wanted, place);
 }

@@ -20,7 +20,7 @@ bool is_above_limit(const motion::Segment& segment) {
 }
 
 // Along s there are mm, or deg where rotary axes alone move.
-const char* unit_of(const motion::Segment& segment, const motion::MotionConfig& motion) {
+const char* unit_of_feed(const motion::Segment& segment, const motion::MotionConfig& motion) {
   for (const AxisIndex axis : motion.geometry) {
     if (axis.exists() && segment.geometry.metric.counts(axis.place())) return "mm/min";
   }
@@ -42,7 +42,7 @@ std::optional<Diagnostic> feed_above_limit(const motion::Segment& segment,
   warning.severity = Severity::warning;
   warning.code = "W810";
   warning.message = text("the feed of %.6g %s is above %.6g, the limit of the axes",
-                         s_per_min * segment.feed_per_s, unit_of(segment, motion),
+                         s_per_min * segment.feed_per_s, unit_of_feed(segment, motion),
                          s_per_min / segment.bounds.velocity);
   warning.help = {"no action is needed; further blocks like this are not reported"};
   return warning;

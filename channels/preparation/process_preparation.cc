@@ -24,7 +24,7 @@ Diagnostic standing_spindle() {
 // A value that a law gives along its path: the feed, or the speed of the spindle.
 using LawValue = double motion::LawStretch::*;
 
-const char* unit_of(const motion::LawUnits& units, LawValue value) {
+const char* unit_of_value(const motion::LawUnits& units, LawValue value) {
   if (value == &motion::LawStretch::feed) return units.per_revolution ? "mm/rev" : "mm/min";
   return units.speed == motion::LawSpeed::m_per_min ? "m/min" : "rev/min";
 }
@@ -47,7 +47,7 @@ Diagnostic vanishing_value(const motion::FeedLaw& law, double path_mm, LawValue 
   std::snprintf(text.data(), text.size(),
                 "the %s reaches %.6g %s after %.6g mm of its path of %.6g mm",
                 is_feed ? "feed law" : "speed of the law", law.stretch(last).*value,
-                unit_of(law.units(), value), place, path_mm);
+                unit_of_value(law.units(), value), place, path_mm);
   Diagnostic d;
   d.code = "E5106";
   d.message = text.data();
