@@ -30,7 +30,7 @@ std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
   return tool;
 }
 
-bool has_plane(ActiveBlock& block, CodeNumber code) {
+bool has_plane_of_compensation(ActiveBlock& block, CodeNumber code) {
   const PlaneAxes plane = plane_axes(block);
   if (plane.first.exists() && plane.second.exists()) return true;
   block
@@ -56,7 +56,7 @@ bool confirms(const ActiveBlock& block, const Code& code) {
          (!has_value || off);
 }
 
-bool changes_coordinates(const Code& code) {
+bool is_code_of_coordinates(const Code& code) {
   switch (code.group) {
     case Group::plane:
     case Group::units:
@@ -79,7 +79,7 @@ bool is_forbidden(const ActiveBlock& block, const Code& code) {
                             (code.group != Group::motion || code.number > g(3));
   const bool machine_coordinates = code.letter == 'G' && code.number == g(53);
   return changes_tool || other_motion || machine_coordinates ||
-         (changes_coordinates(code) && !confirms(block, code));
+         (is_code_of_coordinates(code) && !confirms(block, code));
 }
 
 // `before` the block, `after` the code of the block that selects compensation.
@@ -95,7 +95,7 @@ bool confirms_compensation(const ActiveBlock& block, const Code& code) {
   return !block.has('D') || block.value('D') == block.modal.tool.radius_offset;
 }
 
-void refuse(ActiveBlock& block, const Code& code, const Activity& active) {
+void refuse_code(ActiveBlock& block, const Code& code, const Activity& active) {
   const bool again = code.group == Group::radius_compensation && code.number != g(40);
   if (again && (!active.before || confirms_compensation(block, code))) return;
   const bool now = code.order < EffectOrder::radius_compensation ? active.before : active.after;
@@ -145,7 +145,7 @@ void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
     if (code->group == Group::radius_compensation) active.after = code->number != g(40);
   }
   for (const Code* const code : codes) {
-    if (!block.failed()) refuse(block, *code, active);
+    if (!block.failed()) refuse_code(block, *code, active);
   }
   // T beside G40: the contour ends, then the tool changes, then the move leads away.
   if (active.before && active.after && block.has('T') && block.channel.kind == ChannelKind::lathe) {
@@ -158,7 +158,7 @@ void refuse_while_compensated(ActiveBlock& block, const BlockCodes& codes) {
   }
   if (block.failed() || codes.has(Group::motion)) return;
   const Code* const motion = find_code('G', block.modal.code(Group::motion));
-  if (motion->axes != AxisWords::unused) refuse(block, *motion, active);
+  if (motion->axes != AxisWords::unused) refuse_code(block, *motion, active);
 }
 
 void select_compensation(ActiveBlock& block, CodeNumber code) {
@@ -169,7 +169,7 @@ void select_compensation(ActiveBlock& block, CodeNumber code) {
   }
   const auto tool = code == g(41, 1) || code == g(42, 1) ? programmed_tool(block, code)
                                                          : tool_of_radius(block, code);
-  if (!tool || !has_plane(block, code)) return;
+  if (!tool || !has_plane_of_compensation(block, code)) return;
   // A negative radius in the tool table and a mirrored plane mean the other side.
   const bool left =
       ((code == g(41) || code == g(41, 1)) == (tool->radius_mm >= 0.0)) != mirrors(block);

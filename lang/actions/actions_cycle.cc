@@ -235,7 +235,7 @@ void check_cycle(ActiveBlock& block, CodeNumber code, CodeNumber kind) {
 }
 
 // How many moves a hole may have at most; nothing, with the block failed: more than there may be.
-std::optional<double> moves_of(ActiveBlock& block, CodeNumber code) {
+std::optional<double> move_count_of_hole(ActiveBlock& block, CodeNumber code) {
   const DrillingCycle& cycle = block.modal.cycles.drilling;
   const double depth = cycle.retract_level - cycle.bottom;
   constexpr double moves_of_hole = 10.0;  // with what the spindle does
@@ -252,7 +252,7 @@ std::optional<double> moves_of(ActiveBlock& block, CodeNumber code) {
 
 // Holes that the block makes: L, bounded together with the pecks of each.
 std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
-  const auto moves = moves_of(block, code);
+  const auto moves = move_count_of_hole(block, code);
   if (!moves) return std::nullopt;
   const char letter = block.has('K') && counts_repeats(block) ? 'K' : 'L';
   if (!block.has(letter)) return 1;
@@ -260,7 +260,7 @@ std::optional<int> repeats_of(ActiveBlock& block, CodeNumber code) {
 }
 
 bool holes_of_pattern_fit(ActiveBlock& block, CodeNumber kind, int holes) {
-  const auto moves = moves_of(block, kind);
+  const auto moves = move_count_of_hole(block, kind);
   if (!moves) return false;
   if (holes * *moves <= moves_max) return true;
   block.fail("E4063", {'L', -1, {}}, "the holes have too many pecks", "too many");
@@ -301,7 +301,7 @@ void make_hole(HoleMoves& hole, CodeNumber code) {
   }
 }
 
-void position(ActiveBlock& block, HoleMoves& hole, CodeNumber kind) {
+void go_to_hole(ActiveBlock& block, HoleMoves& hole, CodeNumber kind) {
   Move positioning;
   resolve_ends(block, positioning);
   positioning.words = static_cast<AxisSet>(positioning.words & ~axis_bit(hole.axis()));
@@ -372,7 +372,7 @@ void make_holes(ActiveBlock& block, HoleMoves& hole, CodeNumber kind, int repeat
       if (pattern != nullptr) {
         place_in_pattern(block, hole, kind, *pattern, i);
       } else {
-        position(block, hole, kind);
+        go_to_hole(block, hole, kind);
       }
       if (block.failed()) return;
     }

@@ -17,7 +17,7 @@ bool is_curve(CodeNumber motion) {
   return motion == g(2) || motion == g(3) || motion == g(5) || motion == g(5, 1);
 }
 
-CodeNumber motion_of(const ActiveBlock& block) {
+CodeNumber motion_code(const ActiveBlock& block) {
   for (const CodeNumber code : block.words.g) {
     const Code* const row = find_code('G', code);
     if (row != nullptr && row->group == Group::motion) return code;
@@ -27,12 +27,12 @@ CodeNumber motion_of(const ActiveBlock& block) {
 
 bool block_moves(const ActiveBlock& block) {
   const bool has_curve_word = (block.words.letters & curve_words) != 0;
-  return block.programmed != 0 || (has_curve_word && is_curve(motion_of(block)));
+  return block.programmed != 0 || (has_curve_word && is_curve(motion_code(block)));
 }
 
 // Lengths of a law are mm along the path.
 bool path_has_length(const ActiveBlock& block) {
-  return is_curve(motion_of(block)) || block.modal.transformation.axis >= 0 ||
+  return is_curve(motion_code(block)) || block.modal.transformation.axis >= 0 ||
          (block.programmed & block.channel_words.linear_axes()) != 0;
 }
 

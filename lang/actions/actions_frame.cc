@@ -9,7 +9,6 @@
 namespace stanok::lang {
 namespace {
 
-constexpr int first_extended_offset = 10;  // G54.1 P1
 constexpr int work_offset_last = 309;
 
 // Index of the work offset that a code selects: 1 = G54 ... 9 = G59.3.

@@ -15,15 +15,15 @@
 namespace stanok::lang {
 namespace {
 
-using Vector = std::array<double, 3>;
+using Coordinates = std::array<double, 3>;
 
 bool is_about_axis(const ActiveBlock& block) {
   return block.has('I') || block.has('J') || block.has('K');
 }
 
 // What the system is turned about; fails the block when it is no direction.
-Vector axis_of(ActiveBlock& block) {
-  Vector axis{};
+Coordinates axis_of_rotation(ActiveBlock& block) {
+  Coordinates axis{};
   if (!is_about_axis(block)) {
     axis[plane_coordinates[block.modal.plane()].normal] = 1.0;
     return axis;
@@ -31,7 +31,7 @@ Vector axis_of(ActiveBlock& block) {
   static constexpr std::array letters{'I', 'J', 'K'};
   for (std::size_t k = 0; k < 3; ++k)
     axis[k] = block.has(letters[k]) ? block.value(letters[k]) : 0.0;
-  if (axis == Vector{}) {
+  if (axis == Coordinates{}) {
     block.fail("E4305", {'G', g(68), {}}, "the axis of `G68` has no direction",
                "I, J and K are zero");
   }
@@ -55,15 +55,15 @@ bool check_axes(ActiveBlock& block) {
   return only_axes(block, g(68), turning);
 }
 
-Vector centre_of(const ActiveBlock& block) {
+Coordinates centre_of(const ActiveBlock& block) {
   const ModalState& modal = block.modal;
   const ProgrammedRotation& before = modal.frames.rotation;
-  Vector from_centre{};
+  Coordinates from_centre{};
   for (std::size_t k = 0; k < 3; ++k) {
     if (!modal.geometry[k].exists()) continue;
     from_centre[k] = modal.position_W[modal.geometry[k]] - before.centre[k];
   }
-  Vector centre = components(before.rotation.turned(vector3(from_centre)));
+  Coordinates centre = components(before.rotation.turned(vector3(from_centre)));
   for (std::size_t k = 0; k < 3; ++k) {
     centre[k] += before.centre[k];
     const AxisIndex axis = modal.geometry[k];
@@ -106,14 +106,14 @@ bool only_words(ActiveBlock& block, CodeNumber code, LetterSet allowed) {
   return false;
 }
 
-Vector vector_of(const ActiveBlock& block) {
+Coordinates vector_of(const ActiveBlock& block) {
   return {block.has('I') ? block.value('I') : 0.0, block.has('J') ? block.value('J') : 0.0,
           block.has('K') ? block.value('K') : 0.0};
 }
 
 // X, Y, Z of the block, mm; words left out are 0.
-Vector point_of(const ActiveBlock& block) {
-  Vector point{};
+Coordinates point_of_block(const ActiveBlock& block) {
+  Coordinates point{};
   for (std::size_t k = 0; k < 3; ++k) {
     const AxisIndex axis = block.modal.geometry[k];
     if (axis.exists() && is_programmed(block, axis)) point[k] = block.values[axis];
@@ -140,7 +140,7 @@ void fail_direction(ActiveBlock& block, CodeNumber code, const std::string& why,
 // A plane given as a whole in this block: P0, P1 or P4.
 std::optional<EulerAngles> angles_of(ActiveBlock& block, CodeNumber code, int form) {
   if (!only_words(block, code, letters_of(form == 1 ? "IJKPQ" : "IJKP"))) return std::nullopt;
-  const Vector angles_deg = vector_of(block);
+  const Coordinates angles_deg = vector_of(block);
   if (form == 0) return angles_deg;
   if (form == 1) {
     const auto order = block.has('Q') ? block.integer('Q', 123, 321) : std::optional(123);
@@ -180,8 +180,8 @@ std::optional<TiltedPlane> defined_plane(ActiveBlock& block, CodeNumber code, in
   const auto place = static_cast<std::size_t>(*number - 1);
   definition.form = form;
   definition.parts |= 1U << place;
-  definition.values[place] = by_points ? point_of(block) : vector_of(block);
-  if (place == 0) definition.origin = point_of(block);
+  definition.values[place] = by_points ? point_of_block(block) : vector_of(block);
+  if (place == 0) definition.origin = point_of_block(block);
   if (block.has('R')) definition.turn_deg = block.value('R');
   if (definition.parts != definition.all_parts()) return std::nullopt;
   const auto value = [&](std::size_t k) { return vector3(definition.values[k]); };
@@ -208,7 +208,8 @@ TiltedPlane plane_of_tool(const ActiveBlock& block) {
   const EulerAngles angles =
       euler_angles(work.turned_back(vector3(axes_B[0])), work.turned_back(vector3(axes_B[2])));
   TiltedPlane plane;
-  plane.set(point_of(block), turned_in_itself(angles, block.has('R') ? block.value('R') : 0.0));
+  plane.set(point_of_block(block),
+            turned_in_itself(angles, block.has('R') ? block.value('R') : 0.0));
   return plane;
 }
 
@@ -274,7 +275,7 @@ void tilt_plane(ActiveBlock& block, CodeNumber code) {
     plane = defined_plane(block, code, *form);
     if (!plane && !block.failed()) block.kept_groups |= group_bit(Group::rotation);
   } else if (const auto angles = angles_of(block, code, *form)) {
-    plane.emplace().set(point_of(block), *angles);
+    plane.emplace().set(point_of_block(block), *angles);
   }
   if (!plane || block.failed()) return;
   change_plane(block, code == g(68, 4) ? on_top_of(block.modal.frames.plane, *plane) : *plane);
@@ -288,7 +289,7 @@ void rotate_system(ActiveBlock& block, CodeNumber code) {
     block.fail("E4007", {'G', code, {}}, "`G68` needs R, the angle", "no R");
     return;
   }
-  const Vector axis = axis_of(block);
+  const Coordinates axis = axis_of_rotation(block);
   if (block.failed() || !check_axes(block)) return;
   // Displays go on naming the plane.
   if (block.modal.frames.plane.is_on) block.kept_groups |= group_bit(Group::rotation);

@@ -69,7 +69,8 @@ std::optional<Contour> find_contour(ActiveBlock& block, CodeNumber code) {
   return std::nullopt;
 }
 
-std::vector<PlaneMove> moves_of(ActiveBlock& block, CodeNumber code, const Contour& contour) {
+std::vector<PlaneMove> moves_of_contour(ActiveBlock& block, CodeNumber code,
+                                        const Contour& contour) {
   return plane_moves(block, code, commands_of(block, contour, block.modal));
 }
 
@@ -121,7 +122,7 @@ void rough(ActiveBlock& block, CodeNumber code, CycleMoves& moves, const Contour
   const bool turning = code == g(71);
   const RoughingSettings& settings =
       turning ? block.modal.cycles.turning_roughing : block.modal.cycles.facing_roughing;
-  std::vector<PlaneMove> list = moves_of(block, code, contour);
+  std::vector<PlaneMove> list = moves_of_contour(block, code, contour);
   if (block.failed()) return;
   const TurningPoint allowance = allowance_of(block);
   const PassAxis along = turning ? PassAxis::z : PassAxis::x;
@@ -182,7 +183,7 @@ void follow_shifted(CycleMoves& moves, const std::vector<PlaneMove>& list, Turni
 void repeat_pattern(ActiveBlock& block, CodeNumber code, CycleMoves& moves,
                     const Contour& contour) {
   const RepeatingSettings& settings = block.modal.cycles.repeating;
-  const std::vector<PlaneMove> list = moves_of(block, code, contour);
+  const std::vector<PlaneMove> list = moves_of_contour(block, code, contour);
   if (block.failed()) return;
   if (static_cast<double>(list.size()) * settings.passes > levels_max) {
     block.fail("E4063", {'G', code, {}}, "R results in too many passes", "too many");

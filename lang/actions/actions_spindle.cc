@@ -13,7 +13,7 @@ namespace stanok::lang {
 namespace {
 
 // Index of a spindle among those of the channel; the master spindle is the first.
-std::size_t index_of(const ActiveBlock& block, int spindle) {
+std::size_t index_of_spindle(const ActiveBlock& block, int spindle) {
   const std::vector<int>& known = block.channel.spindles;
   const auto found = std::find(known.begin(), known.end(), spindle);
   return found == known.end() ? 0 : static_cast<std::size_t>(found - known.begin());
@@ -34,7 +34,8 @@ std::optional<int> checked(ActiveBlock& block, int spindle, const WordName& word
 
 bool is_cutting_speed_of(const ActiveBlock& block, int spindle) {
   return block.modal.code(Group::spindle_mode) == g(96) && spindle != -1 &&
-         index_of(block, spindle) == index_of(block, block.modal.spindles.cutting_spindle);
+         index_of_spindle(block, spindle) ==
+             index_of_spindle(block, block.modal.spindles.cutting_spindle);
 }
 
 void send_cutting_speed(ActiveBlock& block) {
@@ -63,7 +64,7 @@ void set_speed(ActiveBlock& block, int spindle, double speed, const WordName& wo
   if (spindle == -1) {
     block.modal.spindles.speeds_rev_per_min.fill(speed);
   } else {
-    block.modal.spindles.speeds_rev_per_min[index_of(block, spindle)] = speed;
+    block.modal.spindles.speeds_rev_per_min[index_of_spindle(block, spindle)] = speed;
   }
   block.modal.spindles.speed_rev_per_min = block.modal.spindles.speeds_rev_per_min[0];
   block.queue.emit(SpindleCommand{
@@ -72,9 +73,9 @@ void set_speed(ActiveBlock& block, int spindle, double speed, const WordName& wo
 
 void note_action(ActiveBlock& block, int spindle, SpindleAction action) {
   const bool running = action != SpindleAction::stop && action != SpindleAction::orient;
-  const std::uint16_t which = spindle == -1
-                                  ? std::uint16_t{0xFFFF}
-                                  : static_cast<std::uint16_t>(1U << index_of(block, spindle));
+  const std::uint16_t which =
+      spindle == -1 ? std::uint16_t{0xFFFF}
+                    : static_cast<std::uint16_t>(1U << index_of_spindle(block, spindle));
   running ? block.modal.spindles.start(which) : block.modal.spindles.stop(which);
 }
 
@@ -91,17 +92,17 @@ std::optional<int> named_spindle(ActiveBlock& block) {
 }
 
 double speed_of_spindle(const ActiveBlock& block, int spindle) {
-  return block.modal.spindles.speeds_rev_per_min[index_of(block, spindle)];
+  return block.modal.spindles.speeds_rev_per_min[index_of_spindle(block, spindle)];
 }
 
 bool spindle_turns(const ActiveBlock& block, int spindle) {
-  return block.modal.spindles.runs(index_of(block, spindle));
+  return block.modal.spindles.runs(index_of_spindle(block, spindle));
 }
 
 bool spindle_has_position(const ActiveBlock& block, int spindle) {
   const std::vector<int>& known = block.channel.spindles;
   if (known.empty()) return false;
-  const int id = known[index_of(block, spindle)];
+  const int id = known[index_of_spindle(block, spindle)];
   const std::vector<int>& with = block.channel.spindles_with_position;
   return std::find(with.begin(), with.end(), id) != with.end();
 }

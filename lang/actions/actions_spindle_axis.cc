@@ -19,14 +19,14 @@ std::string axis_text(const ActiveBlock& block, AxisIndex axis) {
   return "axis `" + block.channel.axes[axis].word + "`";
 }
 
-const NamedWord* find_word(const ActiveBlock& block, std::string_view name) {
+const NamedWord* find_named_word(const ActiveBlock& block, std::string_view name) {
   const auto found = std::ranges::find(block.words.named, name, &NamedWord::name);
   return found == block.words.named.end() ? nullptr : &*found;
 }
 
 // The spindle that H1 names; 0: there is no H1. Nothing, and a fault, for one that does not exist.
 std::optional<int> spindle_in_block(ActiveBlock& block) {
-  const NamedWord* const word = find_word(block, word_of_spindle);
+  const NamedWord* const word = find_named_word(block, word_of_spindle);
   if (word == nullptr) return 0;
   const auto& known = block.channel.spindles;
   const bool exists =
@@ -37,7 +37,7 @@ std::optional<int> spindle_in_block(ActiveBlock& block) {
 }
 
 // The axis that a spindle of the channel becomes, or nothing.
-std::optional<AxisIndex> axis_of(const ActiveBlock& block, int spindle) {
+std::optional<AxisIndex> axis_of_spindle(const ActiveBlock& block, int spindle) {
   for (std::size_t i = 0; spindle != 0 && i < block.channel.axes.size(); ++i) {
     if (block.channel.axes[i].spindle == spindle) return i;
   }
@@ -50,7 +50,7 @@ bool is_converted(const ActiveBlock& block, AxisIndex axis) {
 
 // H2 counts the axes that the machine file gives the spindle; it gives one.
 bool names_its_axis(ActiveBlock& block) {
-  const NamedWord* const word = find_word(block, word_of_axis);
+  const NamedWord* const word = find_named_word(block, word_of_axis);
   if (word == nullptr || word->value == 1.0) return true;
   block.fail("E4008", {0, -1, word->name}, "`H2` counts the axes of the spindle, and it has one",
              "out of range");
@@ -107,7 +107,7 @@ bool refuse_spindle_that_is_axis(ActiveBlock& block, int spindle, const WordName
   const auto& known = block.channel.spindles;
   for (const int id : known) {
     const bool is_meant = spindle == -1 || spindle == id || (spindle == 0 && id == known.front());
-    const auto axis = axis_of(block, id);
+    const auto axis = axis_of_spindle(block, id);
     if (!is_meant || !axis || !is_converted(block, *axis)) continue;
     block
         .fail("E4056", word,
@@ -124,7 +124,7 @@ void make_axis_of_spindle(ActiveBlock& block, CodeNumber code) {
   if (!named || !names_its_axis(block) || excludes_conversion(block, code)) return;
   const auto& known = block.channel.spindles;
   const int spindle = *named != 0 || known.empty() ? *named : known.front();
-  const auto axis = axis_of(block, spindle);
+  const auto axis = axis_of_spindle(block, spindle);
   if (!axis) {
     block
         .fail("E4057", {'M', code, {}},

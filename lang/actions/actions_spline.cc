@@ -92,7 +92,7 @@ CurvePoint distance_of(const ActiveBlock& block, const CurvePlane& plane, char f
           block.has(second) ? map.gain(plane.second) * block.length(second) : 0.0};
 }
 
-CurvePoint sum(const CurvePoint& a, const CurvePoint& b) {
+CurvePoint sum_of_points(const CurvePoint& a, const CurvePoint& b) {
   return {a[0] + b[0], a[1] + b[1]};
 }
 
@@ -252,7 +252,7 @@ void move_in_cubic(ActiveBlock& block, CodeNumber code) {
   const CurvePoint departure =
       has_start ? distance_of(block, *plane, first, second) : CurvePoint{-before[0], -before[1]};
   spline.degree = 3;
-  spline.points = {sum(start, departure), sum(end, arrival), end};
+  spline.points = {sum_of_points(start, departure), sum_of_points(end, arrival), end};
   block.modal.curve.arrival = arrival;
   emit(block, spline);
 }
@@ -270,7 +270,7 @@ void move_in_quadratic(ActiveBlock& block, CodeNumber code) {
   }
   SplineMove spline = curve_to_words(block, *plane);
   spline.degree = 2;
-  spline.points = {sum(point_in(*plane, block.modal.position_W), control),
+  spline.points = {sum_of_points(point_in(*plane, block.modal.position_W), control),
                    point_in(*plane, spline.base.end)};
   emit(block, spline);
 }

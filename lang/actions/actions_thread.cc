@@ -33,7 +33,7 @@ Travel travel_of(const ActiveBlock& block, const Move& move) {
 }
 
 // Lead along the path; fails the block without one.
-double lead_of(ActiveBlock& block, const Move& move, CodeNumber code) {
+double lead_of_thread(ActiveBlock& block, const Move& move, CodeNumber code) {
   const std::string name = "`" + code_text('G', code) + "`";
   if (block.has('K') && block.has('F') && code != g(33, 1)) {
     block.fail("E4066", {'F', -1, {}}, name + " has K and F, and both are the lead", "one too many")
@@ -67,7 +67,7 @@ std::optional<SynchronousMove> synchronous_move(ActiveBlock& block, CodeNumber c
   move.line.kind = MoveKind::line;
   resolve_ends(block, move.line);
   move.line.path = block.modal.path;
-  move.lead_mm_per_rev = lead_of(block, move.line, code);
+  move.lead_mm_per_rev = lead_of_thread(block, move.line, code);
   check_spindle_turns(block, *spindle, code);
   if (block.failed()) return std::nullopt;
   return move;

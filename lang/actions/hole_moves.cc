@@ -45,7 +45,7 @@ bool is_lead(ActiveBlock& block, double speed) {
 }
 
 // Lead of the tap: K, else F of G95, else F of G94 by the speed of the spindle.
-double lead_of(ActiveBlock& block, int spindle, CodeNumber code) {
+double lead_of_tap(ActiveBlock& block, int spindle, CodeNumber code) {
   const ModalState& modal = block.modal;
   const double speed = speed_of_spindle(block, spindle);
   if (speed <= 0.0) {
@@ -169,7 +169,7 @@ void HoleMoves::bore_out(CodeNumber code) {
 void HoleMoves::tap(CodeNumber code) {
   const auto spindle = named_spindle(block_);
   if (!spindle) return;
-  const double lead_mm = lead_of(block_, *spindle, code);
+  const double lead_mm = lead_of_tap(block_, *spindle, code);
   if (block_.failed()) return;
   const SpindleAction turning =
       code == g(84) ? SpindleAction::clockwise : SpindleAction::counter_clockwise;

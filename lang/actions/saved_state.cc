@@ -94,7 +94,7 @@ constexpr auto sections = std::to_array<Section>({{state_modal, "modal"},
                                                   {state_coolant, "coolant"}});
 
 // The part to which the code of a group belongs; 0: not saved.
-StateParts part_of(Group group) {
+StateParts part_of_group(Group group) {
   switch (group) {
     case Group::spindle_mode:
     case Group::spindle:
@@ -214,7 +214,7 @@ bool read_code(std::string_view word, StateParts part, ModalState& state) {
   if (code == nullptr) return false;
   bool taken = false;
   for (const Group group : all_groups) {
-    if ((code->groups & group_bit(group)) == 0 || part_of(group) != part) continue;
+    if ((code->groups & group_bit(group)) == 0 || part_of_group(group) != part) continue;
     state.set(group, tenths, 0);
     taken = true;
   }
@@ -222,7 +222,7 @@ bool read_code(std::string_view word, StateParts part, ModalState& state) {
 }
 
 // "F=200" or "G17"
-bool read_word(std::string_view word, StateParts part, ModalState& state) {
+bool read_saved_word(std::string_view word, StateParts part, ModalState& state) {
   const std::size_t equals = word.find('=');
   if (equals == std::string_view::npos) return word.size() > 1 && read_code(word, part, state);
   for (const Field& field : fields) {
@@ -241,7 +241,8 @@ bool read_section(std::string_view text, SavedState& saved) {
     saved.parts |= section.part;
     for (std::size_t at = name_end; at < text.size();) {
       const std::size_t end = std::min(text.find(' ', at + 1), text.size());
-      if (!read_word(text.substr(at + 1, end - at - 1), section.part, saved.state)) return false;
+      if (!read_saved_word(text.substr(at + 1, end - at - 1), section.part, saved.state))
+        return false;
       at = end;
     }
     return true;
@@ -255,7 +256,7 @@ bool is_turned(const ModalState& state) {
 }
 
 // Modes follow from codes, codes of coolant from its state.
-void complete(ModalState& state) {
+void complete_state(ModalState& state) {
   state.set(Group::mist, state.switches.mist ? m(7) : m(9), 0);
   state.set(Group::flood, state.switches.flood ? m(8) : m(9), 0);
   const CodeNumber path = state.code(Group::path_mode);
@@ -276,7 +277,7 @@ void complete(ModalState& state) {
   }
 }
 
-bool is_plausible(const ModalState& state) {
+bool is_plausible_state(const ModalState& state) {
   const bool turned = state.code(Group::rotation) == g(68);
   if (turned && state.frames.rotation.axis == std::array<double, 3>{}) return false;
   if (state.tool.turning > TurningWay::axis) return false;
@@ -294,7 +295,7 @@ std::string saved_state_text(const ModalState& state, StateParts parts) {
     text += ";" + std::string(section.name);
     for (const Group group : all_groups) {
       const bool named = find_code(letter_of(group), state.code(group)) != nullptr;
-      if (part_of(group) == section.part && named) {
+      if (part_of_group(group) == section.part && named) {
         text += " " + code_text(letter_of(group), state.code(group));
       }
     }
@@ -318,8 +319,8 @@ std::optional<SavedState> read_saved_state(std::string_view text) {
     if (!read_section(body.substr(at + 1, end - at - 1), saved)) return std::nullopt;
     at = end;
   }
-  if (!is_plausible(saved.state)) return std::nullopt;
-  complete(saved.state);
+  if (!is_plausible_state(saved.state)) return std::nullopt;
+  complete_state(saved.state);
   return saved;
 }
 

@@ -42,9 +42,9 @@ bool only_ends_cycle(BlockCodes& codes, const Code& row) {
   return false;
 }
 
-std::optional<BlockFault> add_code(BlockCodes& codes, char letter, CodeNumber number,
-                                   const BlockWords& words, const ChannelKind* kind,
-                                   const ChannelDialect& dialect) {
+std::optional<BlockFault> add_row_of_code(BlockCodes& codes, char letter, CodeNumber number,
+                                          const BlockWords& words, const ChannelKind* kind,
+                                          const ChannelDialect& dialect) {
   if (number == code_computed_later) return std::nullopt;
   // What the machine file says of a code goes before what a dialect has.
   const Code* row = dialect.output(letter, number);
@@ -184,10 +184,10 @@ LetterSet words_of_code(const Code& code, const ChannelKind* kind, const TextRul
 std::optional<BlockFault> resolve_codes(const BlockWords& words, const ChannelKind* kind,
                                         const ChannelDialect& dialect, BlockCodes& codes) {
   for (const CodeNumber number : words.g) {
-    if (auto fault = add_code(codes, 'G', number, words, kind, dialect)) return fault;
+    if (auto fault = add_row_of_code(codes, 'G', number, words, kind, dialect)) return fault;
   }
   for (const CodeNumber number : words.m) {
-    if (auto fault = add_code(codes, 'M', number, words, kind, dialect)) return fault;
+    if (auto fault = add_row_of_code(codes, 'M', number, words, kind, dialect)) return fault;
   }
   return find_axis_user(codes, words.rules);
 }

@@ -233,6 +233,8 @@ struct SetUpAngles {
   AxisValues lying_W{};
 };
 
+inline constexpr int first_extended_offset = 10;  // G54.1 P1
+
 // Where the program has put W.
 struct FrameSettings {
   int work_offset_number = 1;     // 1 = G54

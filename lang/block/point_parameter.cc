@@ -21,7 +21,7 @@ bool is_in_block(int number, int first) {
 }
 
 // The channel's axis at `number` in a block of one parameter per axis, or none.
-AxisIndex axis_at(int number, int first, const BlockSurroundings& around) {
+AxisIndex axis_of_parameter(int number, int first, const BlockSurroundings& around) {
   return around.channel_words.axis_called({parameter_axes.data() + (number - first), 1});
 }
 
@@ -35,11 +35,11 @@ std::optional<double> point_parameter(int number, const BlockSurroundings& aroun
   const ProbeResult& probe = around.probe;
   if (number == probe_found) return probe.found ? 1.0 : 0.0;
   if (is_in_block(number, probe_first)) {
-    return coordinate(axis_at(number, probe_first, around), probe.position, around);
+    return coordinate(axis_of_parameter(number, probe_first, around), probe.position, around);
   }
   for (const auto& [which, first] : reference_parameters) {
     if (!is_in_block(number, first)) continue;
-    const AxisIndex axis = axis_at(number, first, around);
+    const AxisIndex axis = axis_of_parameter(number, first, around);
     if (!axis.exists()) return 0.0;
     return machine_as_programmed(around, axis, around.tables.reference_point(which)[axis]);
   }
@@ -49,7 +49,7 @@ std::optional<double> point_parameter(int number, const BlockSurroundings& aroun
 bool set_point_parameter(int number, double value, const BlockSurroundings& around) {
   for (const auto& [which, first] : reference_parameters) {
     if (!is_in_block(number, first)) continue;
-    const AxisIndex axis = axis_at(number, first, around);
+    const AxisIndex axis = axis_of_parameter(number, first, around);
     if (!axis.exists()) return true;
     AxisValues point = around.tables.reference_point(which);
     point[axis] =

@@ -29,7 +29,7 @@ double of_axis(const BlockSurroundings& around, char letter, const AxisValues& v
 }
 
 template <Group Which>
-double code_of(const ParameterView& view) {
+double code_of_group(const ParameterView& view) {
   return modal_of(view).code(Which);
 }
 
@@ -43,20 +43,20 @@ double flag(const ParameterView& view) {
   return modal_of(view).switches.*Flag ? 1.0 : 0.0;
 }
 
-double position_of(const BlockSurroundings& around, char letter) {
+double position_of_letter(const BlockSurroundings& around, char letter) {
   const AxisIndex axis = around.channel_words.axis_called(std::string_view(&letter, 1));
   return axis.exists() ? programmed_position(around, axis) : 0.0;
 }
 
 template <char Letter>
-double position(const ParameterView& view) {
-  return position_of(view.around, Letter);
+double position_along(const ParameterView& view) {
+  return position_of_letter(view.around, Letter);
 }
 
 // Where the axis stands in machine coordinates, at the end of the block before. Not known (NaN)
 // while the words of the program are no coordinates of axes: TCP, G12.1, G7.1.
 template <char Letter>
-double machine_position(const ParameterView& view) {
+double machine_position_along(const ParameterView& view) {
   constexpr char letter = Letter;
   const BlockSurroundings& around = view.around;
   const ModalState& modal = around.modal;
@@ -111,10 +111,10 @@ constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_task", always},
     {"_vmajor", linuxcnc_version},
     {"_vminor", linuxcnc_revision},
-    {"_motion_mode", code_of<Group::motion>},
-    {"_plane", code_of<Group::plane>},
-    {"_ccomp", code_of<Group::radius_compensation>},
-    {"_coord_system", code_of<Group::work_offset>},
+    {"_motion_mode", code_of_group<Group::motion>},
+    {"_plane", code_of_group<Group::plane>},
+    {"_ccomp", code_of_group<Group::radius_compensation>},
+    {"_coord_system", code_of_group<Group::work_offset>},
     {"_metric", has_code<Group::units, g(21)>},
     {"_imperial", has_code<Group::units, g(20)>},
     {"_absolute", has_code<Group::distance, g(90)>},
@@ -144,24 +144,24 @@ constexpr auto parameter_rows = std::to_array<PredefinedParameter>({
     {"_remap_level", [](const ParameterView&) { return 0.0; }},
     {"_feed", [](const ParameterView& view) { return modal_of(view).feed.programmed; }},
     {"_rpm", [](const ParameterView& view) { return modal_of(view).spindles.speed_rev_per_min; }},
-    {"_x", position<'X'>},
-    {"_y", position<'Y'>},
-    {"_z", position<'Z'>},
-    {"_a", position<'A'>},
-    {"_b", position<'B'>},
-    {"_c", position<'C'>},
-    {"_u", position<'U'>},
-    {"_v", position<'V'>},
-    {"_w", position<'W'>},
-    {"_abs_x", machine_position<'X'>},
-    {"_abs_y", machine_position<'Y'>},
-    {"_abs_z", machine_position<'Z'>},
-    {"_abs_a", machine_position<'A'>},
-    {"_abs_b", machine_position<'B'>},
-    {"_abs_c", machine_position<'C'>},
-    {"_abs_u", machine_position<'U'>},
-    {"_abs_v", machine_position<'V'>},
-    {"_abs_w", machine_position<'W'>},
+    {"_x", position_along<'X'>},
+    {"_y", position_along<'Y'>},
+    {"_z", position_along<'Z'>},
+    {"_a", position_along<'A'>},
+    {"_b", position_along<'B'>},
+    {"_c", position_along<'C'>},
+    {"_u", position_along<'U'>},
+    {"_v", position_along<'V'>},
+    {"_w", position_along<'W'>},
+    {"_abs_x", machine_position_along<'X'>},
+    {"_abs_y", machine_position_along<'Y'>},
+    {"_abs_z", machine_position_along<'Z'>},
+    {"_abs_a", machine_position_along<'A'>},
+    {"_abs_b", machine_position_along<'B'>},
+    {"_abs_c", machine_position_along<'C'>},
+    {"_abs_u", machine_position_along<'U'>},
+    {"_abs_v", machine_position_along<'V'>},
+    {"_abs_w", machine_position_along<'W'>},
     {"_current_tool", active_tool},
     {"_current_pocket", active_tool},
     {"_selected_tool", prepared_tool},
@@ -257,7 +257,7 @@ std::optional<double> machine_parameter(int number, const ParameterView& view) {
     return of_axis(around, *letter, modal.frames.axis_shift);
   }
   if (const auto letter = letter_in_block(number, position_first)) {
-    return position_of(around, *letter);
+    return position_of_letter(around, *letter);
   }
   if (const auto point = point_parameter(number, around)) return point;
   if (const auto offset = work_offset_parameter(number, around)) return offset;

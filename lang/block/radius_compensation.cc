@@ -14,8 +14,8 @@ constexpr std::size_t waiting_max = 100;
 // Full turns of an arc are recognised within this (rad).
 constexpr double same_angle = 1e-9;
 
-FaultOfCommand fault_of(const Origin& origin, std::string_view code, std::string message,
-                        std::string label) {
+FaultOfCommand compensation_fault(const Origin& origin, std::string_view code, std::string message,
+                                  std::string label) {
   return {{code, {}, std::move(message), std::move(label), {}, {}}, origin};
 }
 
@@ -44,7 +44,7 @@ bool changes_coordinates(const Command& command) {
 }
 
 // Travel of an element in mm.
-double length_of(const PlaneElement& element) {
+double travel_along(const PlaneElement& element) {
   return element.arc ? element.sweep * norm(element.start - element.centre) : extent(element);
 }
 
@@ -118,7 +118,7 @@ StageResult CompensationStage::take(Command& command) {
   if (const auto* request = std::get_if<Request>(&command.payload)) {
     if (compensating() && request->kind != RequestKind::terminate) {
       FaultOfCommand fault =
-          fault_of(command.origin, "E4140", "the program must wait here until the axes stop",
+          compensation_fault(command.origin, "E4140", "the program must wait here until the axes stop",
                    "radius compensation is active");
       fault.fault.help.push_back("switch it off with `G40` first");
       return fault;
@@ -138,8 +138,9 @@ StageResult CompensationStage::wait_with_element(Command& command) {
     return std::nullopt;
   }
   if (waiting_.size() == waiting_max) {
-    return fault_of(command.origin, "E4148", "too many blocks follow without a move in the plane",
-                    "radius compensation needs the next move");
+    return compensation_fault(command.origin, "E4148",
+                              "too many blocks follow without a move in the plane",
+                              "radius compensation needs the next move");
   }
   waiting_.push_back(command);
   return std::nullopt;
@@ -185,9 +186,9 @@ StageResult CompensationStage::lead_in(Command& command, Move& move) {
   const PlanePoint start = plane_point(programmed_W_) + deviation_;
   const PlanePoint end = plane_point(move.end);
   if (norm(end - start) <= std::abs(offset_)) {
-    return fault_of(command.origin, "E4144",
-                    "the move that leads in to radius compensation is not longer than the radius",
-                    "too short");
+    return compensation_fault(
+        command.origin, "E4144",
+        "the move that leads in to radius compensation is not longer than the radius", "too short");
   }
   held_ = Held{{start, end, false, {}, false, 0.0}, command, start, 0.0, true,
                std::exchange(law_, std::nullopt)};
@@ -200,13 +201,14 @@ StageResult CompensationStage::lead_in(Command& command, Move& move) {
 // leaves in the programmed direction. It goes on as the parallel of an arc about its own centre.
 StageResult CompensationStage::lead_in_by_arc(Command& command, Move& move) {
   if (!selected_.arc_leads_in) {
-    return fault_of(command.origin, "E4143", "radius compensation begins with an arc",
-                    "G0 or G1 must come first");
+    return compensation_fault(command.origin, "E4143", "radius compensation begins with an arc",
+                              "G0 or G1 must come first");
   }
   PlaneElement element = element_of(move);
   if (parallel_end_radius(element, offset_) < same_point) {
-    return fault_of(command.origin, "E4145", "the tool is too large for the inside of this arc",
-                    "the radius is smaller than the tool's");
+    return compensation_fault(command.origin, "E4145",
+                              "the tool is too large for the inside of this arc",
+                              "the radius is smaller than the tool's");
   }
   const PlanePoint start = plane_point(programmed_W_) + deviation_ - tip_;
   const PlanePoint way = element.end + offset_ * left_of(end_tangent(element)) - start;
@@ -216,7 +218,7 @@ StageResult CompensationStage::lead_in_by_arc(Command& command, Move& move) {
   const double radius = dot(way, way) / (-2.0 * dot(way, inwards));
   const double outside = element.counter_clockwise ? -offset_ : offset_;
   if (!(radius > std::max(outside, 0.0) + same_point)) {
-    return fault_of(command.origin, "E4143",
+    return compensation_fault(command.origin, "E4143",
                     "an arc cannot lead in to radius compensation from here",
                     "begin with G0 or G1");
   }
@@ -243,8 +245,9 @@ StageResult CompensationStage::continue_contour(Command& command, const Move& mo
   Held next{element_of(move), command, {}, 0.0, false, std::exchange(law_, std::nullopt)};
   if (next.element.arc && std::min(parallel_start_radius(next.element, offset_),
                                    parallel_end_radius(next.element, offset_)) < -same_point) {
-    return fault_of(command.origin, "E4145", "the tool is too large for the inside of this arc",
-                    "the radius is smaller than the tool's");
+    return compensation_fault(command.origin, "E4145",
+                              "the tool is too large for the inside of this arc",
+                              "the radius is smaller than the tool's");
   }
   Corner corner = corner_between(held_->element, next.element, offset_);
   const bool inside = corner.turn * offset_ > 0.0;
@@ -254,7 +257,7 @@ StageResult CompensationStage::continue_contour(Command& command, const Move& mo
     corner.end_before = corner.start_after;
   }
   if (corner.kind == CornerKind::none) {
-    return fault_of(command.origin, "E4146", "the tool cannot reach the corner before this block",
+    return compensation_fault(command.origin, "E4146", "the tool cannot reach the corner before this block",
                     "the offset paths do not meet");
   }
   const Held before = *held_;
@@ -271,8 +274,8 @@ StageResult CompensationStage::continue_contour(Command& command, const Move& mo
 // The first plane move after G40; without one to leave from, it just passes.
 StageResult CompensationStage::lead_out(Command& command, Move& move) {
   if (is_arc(command, move)) {
-    return fault_of(command.origin, "E4143", "radius compensation ends with an arc",
-                    "G0 or G1 must come first");
+    return compensation_fault(command.origin, "E4143", "radius compensation ends with an arc",
+                              "G0 or G1 must come first");
   }
   pass_law();
   if (move.machine_coordinates) {
@@ -305,7 +308,7 @@ StageResult CompensationStage::emit_held(PlanePoint end, double cut) {
   const double remaining = extent(held.element) - held.cut - cut;
   if (!held.lead_in && remaining < -same_point) {
     waiting_.clear();
-    return fault_of(held.command.origin, "E4147",
+    return compensation_fault(held.command.origin, "E4147",
                     "the tool is too large: this element vanishes between its corners",
                     "shorter than the corners need");
   }
@@ -365,7 +368,7 @@ void CompensationStage::emit_round(const Corner& corner, const Held& before, con
   } else {
     const double arc_length = std::abs(corner.turn * offset_);
     if (move.feed_mode == FeedMode::inverse_time && second.kind != MoveKind::rapid) {
-      move.feed *= length_of(element_of(second)) / arc_length;
+      move.feed *= travel_along(element_of(second)) / arc_length;
     }
     move.kind = MoveKind::arc;
     move.plane = selected_.plane;

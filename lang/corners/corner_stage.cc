@@ -29,7 +29,7 @@ bool ends_at_next_line(const CornerRequest& request) {
   return request.line.end == LineByAngle::End::at_next_line;
 }
 
-std::string name_of(const CornerRequest& request) {
+std::string name_of_corner(const CornerRequest& request) {
   if (ends_at_next_line(request)) return "line by its angle `,A`";
   return request.kind == CornerRequest::Kind::chamfer ? "chamfer `,C`" : "rounding `,R`";
 }
@@ -82,9 +82,10 @@ StageResult CornerStage::take(Command& command) {
       waiting_.push_back(std::move(command));
       return std::nullopt;
     }
-    return corner_fault(command, "E4151",
-                        "the " + name_of(held_->request) + " needs the next move of the contour",
-                        "comes between the two moves");
+    return corner_fault(
+        command, "E4151",
+        "the " + name_of_corner(held_->request) + " needs the next move of the contour",
+        "comes between the two moves");
   }
   if (request_.wanted() && move_of(command.payload) != nullptr) return begin(command);
   pass(command);
@@ -101,9 +102,10 @@ StageResult CornerStage::begin(Command& command) {
                         "`,A` is one too many");
   }
   if (!is_good) {
-    return corner_fault(command, "E4150",
-                        "a " + name_of(request) + " needs a line at feed or an arc in the plane",
-                        "no such motion");
+    return corner_fault(
+        command, "E4150",
+        "a " + name_of_corner(request) + " needs a line at feed or an arc in the plane",
+        "no such motion");
   }
   held_ = Held{command, element_of(*move, start_), request};
   start_ = held_->element.end;
@@ -115,7 +117,7 @@ StageResult CornerStage::go_on(Command& command) {
   if (!is_element(move)) {
     return corner_fault(
         command, "E4151",
-        "after a " + name_of(held_->request) + " a line at feed or an arc in the plane must follow",
+        "after a " + name_of_corner(held_->request) + " a line at feed or an arc in the plane must follow",
         "another motion");
   }
   if (ends_at_next_line(held_->request)) {
@@ -199,7 +201,7 @@ StageResult CornerStage::cut(const Move& move, PlanePoint& from) {
   switch (found.fit) {
     case CornerCut::Fit::too_large:
       return corner_fault(held_->command, "E4152",
-                          "the " + name_of(held_->request) + " does not fit into its corner",
+                          "the " + name_of_corner(held_->request) + " does not fit into its corner",
                           "too large for one of the two moves");
     case CornerCut::Fit::fits:
       emit_cut(found);

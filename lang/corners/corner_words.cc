@@ -25,7 +25,7 @@ bool has_plane(const ActiveBlock& block) {
          block.channel_words.geometry_axis(plane.second).exists();
 }
 
-std::string name_of(const WordName& word) {
+std::string name_of_word(const WordName& word) {
   return word.letter == 0 ? word.name : std::string(1, word.letter);
 }
 
@@ -51,15 +51,16 @@ void read_corner(ActiveBlock& block) {
   if (chamfer && rounding) {
     block.fail("E4150", place, "a corner has a chamfer or a rounding", "both in one block");
   } else if (!block.flow.moves) {
-    block.fail("E4150", place, "`" + name_of(place) + "` needs a motion in its block", "no motion");
+    block.fail("E4150", place, "`" + name_of_word(place) + "` needs a motion in its block",
+               "no motion");
   } else if (const char axis = axis_of_square_chamfer(block, place); axis != 0) {
     block
         .fail("E4150", place,
-              "`" + name_of(place) + "` is a chamfer after a move of " + axis + " alone",
+              "`" + name_of_word(place) + "` is a chamfer after a move of " + axis + " alone",
               "another move")
         .help.emplace_back("write the chamfer as `C` or `,C`");
   } else if (word->value < 0.0) {
-    block.fail("E4008", place, "`" + name_of(place) + "` must not be negative", "negative");
+    block.fail("E4008", place, "`" + name_of_word(place) + "` must not be negative", "negative");
   } else if (!has_plane(block) || block.modal.transformation.axis >= 0) {
     block.fail("E4150", place, "a corner is not possible in this plane",
                "needs a plane of two axes");

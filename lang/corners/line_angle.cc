@@ -39,8 +39,8 @@ void put(ActiveBlock& block, AxisIndex axis, double programmed) {
 }
 
 // The other coordinate of the point at which the line from the position has `given`.
-void complete(ActiveBlock& block, AxisIndex given, AxisIndex other, double along_given,
-              double along_other) {
+void complete_line(ActiveBlock& block, AxisIndex given, AxisIndex other, double along_given,
+                   double along_other) {
   if (std::abs(along_given) < parallel) {
     block.fail("E4153", place_of_angle(block),
                "a line of this angle has no point with this coordinate",
@@ -84,9 +84,9 @@ void take_line_angle(ActiveBlock& block) {
   const bool has_first = is_programmed(block, axes.first);
   const bool has_second = is_programmed(block, axes.second);
   if (has_first && !has_second) {
-    complete(block, axes.first, axes.second, along_first, along_second);
+    complete_line(block, axes.first, axes.second, along_first, along_second);
   } else if (has_second && !has_first) {
-    complete(block, axes.second, axes.first, along_second, along_first);
+    complete_line(block, axes.second, axes.first, along_second, along_first);
   } else {
     line.end = has_first ? LineByAngle::End::given : LineByAngle::End::at_next_line;
   }

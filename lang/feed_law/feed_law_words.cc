@@ -48,7 +48,7 @@ const LawForm& form_with(LawAddress address) {
   });
 }
 
-bool belongs_to(std::string_view law, LawAddress address) {
+bool takes_address(std::string_view law, LawAddress address) {
   return std::ranges::any_of(law_forms(), [&](const LawForm& form) {
     return form.law == law && ((must_of(form) | form.may) & address_bit(address)) != 0;
   });
@@ -76,7 +76,7 @@ BlockFault missing_address(const LawForm& form, const LawWords& words, LawAddres
 }
 
 BlockFault excess_address(const LawForm& form, const LawWords& words, LawAddress excess) {
-  if (belongs_to(form.law, excess)) {
+  if (takes_address(form.law, excess)) {
     BlockFault fault = fault_at(
         "E4331", word_name(excess),
         word_text(words, excess) + " is one too many for " + law_title(form.law), "leave out");

@@ -21,7 +21,7 @@ std::string direction_text(const Direction& direction) {
   return text;
 }
 
-std::string name_of(const OrientationWish& wish) {
+std::string name_of_wish(const OrientationWish& wish) {
   if (!wish.name.empty()) return std::string(wish.name);
   return "`" + code_text('G', static_cast<CodeNumber>(wish.word.code)) + "`";
 }
@@ -29,7 +29,7 @@ std::string name_of(const OrientationWish& wish) {
 void fail_without_axes(ActiveBlock& block, const OrientationWish& wish) {
   block
       .fail("E4353", wish.word,
-            name_of(wish) +
+            name_of_wish(wish) +
                 " needs rotary axes that tilt the tool, but the kinematic scheme has none",
             "no such axes")
       .help.emplace_back(
@@ -52,7 +52,7 @@ std::string hindrance(const ActiveBlock& block, const Alignment& found) {
 void fail_out_of_reach(ActiveBlock& block, const OrientationWish& wish, const Alignment& found) {
   BlockFault& fault =
       block.fail("E4354", wish.word,
-                 name_of(wish) + " cannot " + std::string(wish.purpose) + " " +
+                 name_of_wish(wish) + " cannot " + std::string(wish.purpose) + " " +
                      direction_text(wish.tool_B) + " of the table: " + hindrance(block, found),
                  "out of reach");
   fault.notes.push_back(block.modal.origin_of(wish.said_by));

@@ -17,13 +17,13 @@ constexpr double no_direction = 1e-9;  // of unit vectors: what they span is not
 constexpr std::array<std::array<double, 3>, 3> unit{
     {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
-double length_of(const Vector& v) {
+double length_of_vector(const Vector& v) {
   return std::hypot(v.x(), v.y(), v.z());
 }
 
 // A direction; nothing when the vector has none.
 std::optional<Vector> unit_of(const Vector& v) {
-  const double length = length_of(v);
+  const double length = length_of_vector(v);
   if (!(length > 0.0)) return std::nullopt;
   return Vector(v / length);
 }
@@ -33,7 +33,7 @@ std::optional<EulerAngles> spanned(const Vector& x, const Vector& towards_y) {
   const auto second = unit_of(towards_y);
   if (!first || !second) return std::nullopt;
   const Vector z = first->cross(*second);
-  if (length_of(z) < no_direction) return std::nullopt;
+  if (length_of_vector(z) < no_direction) return std::nullopt;
   return euler_angles(*first, *unit_of(z));
 }
 

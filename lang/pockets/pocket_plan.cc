@@ -63,8 +63,8 @@ std::optional<std::uint32_t> line_of_untouched_wall(const PocketWish& wish, cons
   return std::nullopt;
 }
 
-std::optional<PocketFault> fault_of(const PocketWish& wish, const Region& pocket,
-                                    const Region& middle, const Region& rough) {
+std::optional<PocketFault> fault_of_regions(const PocketWish& wish, const Region& pocket,
+                                            const Region& middle, const Region& rough) {
   if (pocket.empty()) {
     return PocketFault{"nothing is inside the outline",
                        "with G41 the outline runs counter-clockwise, with G42 clockwise", 0};
@@ -227,7 +227,8 @@ Expected<PocketPlan, PocketFault> plan_pocket(const PocketWish& wish) {
   for (const Region* const region : {&pocket, &middle, &rough}) {
     if (corners_of(*region) > corners_max) return Unexpected(too_fine());
   }
-  if (auto fault = fault_of(wish, pocket, middle, rough)) return Unexpected(std::move(*fault));
+  if (auto fault = fault_of_regions(wish, pocket, middle, rough))
+    return Unexpected(std::move(*fault));
   const std::vector<ClosedLine>& edges = rough.front().lines;
   PocketPlan plan;
   plan.level = ways_around(edges, wish.start);

@@ -9,7 +9,7 @@
 namespace stanok::lang {
 namespace {
 
-auto order_of(const NumberedBlock& block) {
+auto order_of_block(const NumberedBlock& block) {
   return std::tuple(block.number, block.program, block.line);
 }
 
@@ -27,7 +27,7 @@ void BlockIndex::read(const CompiledFile& file) {
   read_plain_lines(file);
   find_loops(file);
   std::sort(blocks_.begin(), blocks_.end(), [](const NumberedBlock& a, const NumberedBlock& b) {
-    return order_of(a) < order_of(b);
+    return order_of_block(a) < order_of_block(b);
   });
 }
 
@@ -105,7 +105,7 @@ BlockIndex::Found BlockIndex::find(int number, std::uint32_t from) const {
   const std::tuple wanted(number, program_of(from), 0U);
   const auto found = std::lower_bound(
       blocks_.begin(), blocks_.end(), wanted,
-      [](const NumberedBlock& block, const auto& key) { return order_of(block) < key; });
+      [](const NumberedBlock& block, const auto& key) { return order_of_block(block) < key; });
   const auto is_meant = [&](auto block) {
     return block != blocks_.end() && block->number == number &&
            block->program == std::get<1>(wanted);
@@ -115,7 +115,7 @@ BlockIndex::Found BlockIndex::find(int number, std::uint32_t from) const {
   if (is_meant(std::next(found))) {
     if (!takes_next_) return {&*found, Missing::twice, std::next(found)->line};
     meant = std::partition_point(found, blocks_.end(), [&](const NumberedBlock& block) {
-      return order_of(block) < std::tuple(number, program_of(from) + 1, 0U) &&
+      return order_of_block(block) < std::tuple(number, program_of(from) + 1, 0U) &&
              block.position <= from;
     });
     if (!is_meant(meant)) meant = found;

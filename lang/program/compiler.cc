@@ -4,14 +4,6 @@
 
 namespace stanok::lang {
 
-namespace {
-
-std::optional<ChannelWords> words_of_channel(const ChannelDescription* channel) {
-  return channel != nullptr ? std::optional<ChannelWords>(std::in_place, *channel) : std::nullopt;
-}
-
-}  // namespace
-
 Compiler::Compiler(const CompilerContext& context)
     : context_(context),
       reporter_(context_.reporter),

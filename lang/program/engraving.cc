@@ -54,13 +54,6 @@ const IsoWord* find_word(const IsoBlock& block, char letter, int code = -1) {
   return found == block.words.end() ? nullptr : &*found;
 }
 
-Expression number_at(const Span& span, double value) {
-  Expression number;
-  number.span = span;
-  number.number = value;
-  return number;
-}
-
 // Where the tool stands, in the coordinates of the program.
 Expression position_at(const Span& span, char axis) {
   Expression index;
@@ -143,10 +136,10 @@ class Engravings {
       statement.kind = std::move(kind);
       list.push_back(std::move(statement));
     };
-    if (text.first_number) add(setting_of(number_at(span, *text.first_number), span));
+    if (text.first_number) add(setting_of(number_expression(*text.first_number, span), span));
     std::vector<Expression> arguments;
     arguments.push_back(serial_variable(span));
-    arguments.push_back(number_at(span, static_cast<double>(text.digits)));
+    arguments.push_back(number_expression(static_cast<double>(text.digits), span));
     arguments.push_back(text_at(span, text.before));
     arguments.push_back(text_at(span, text.behind));
     add(CallStatement{call_of("engrave_number", std::move(arguments), block, span)});
@@ -155,7 +148,7 @@ class Engravings {
     next.span = span;
     next.operation = Operation::add;
     next.children.push_back(serial_variable(span));
-    next.children.push_back(number_at(span, 1.0));
+    next.children.push_back(number_expression(1.0, span));
     add(setting_of(std::move(next), span));
     return list;
   }
@@ -170,7 +163,7 @@ class Engravings {
     Expression variable;
     variable.node = Node::parameter;
     variable.span = span;
-    variable.children.push_back(number_at(span, serial_variable_number));
+    variable.children.push_back(number_expression(serial_variable_number, span));
     return variable;
   }
 
@@ -196,7 +189,7 @@ class Engravings {
         call.children.push_back(word->value);
       } else {
         call.children.push_back(is_place ? position_at(span, letter == 'R' ? 'Z' : letter)
-                                         : number_at(span, 0.0));
+                                         : number_expression(0.0, span));
       }
     }
     return call;

@@ -9,7 +9,7 @@
 namespace stanok::lang {
 namespace {
 
-using Kind = MachineVariable::Kind;
+using VariableKind = MachineVariable::Kind;
 
 constexpr double ms_per_s = 1000.0;
 constexpr int first_edge = 1;
@@ -17,7 +17,7 @@ constexpr int first_table = 1;
 constexpr int parts_made = 3901;
 constexpr int single_block_switch = 3003;
 
-Request machine_value(std::string_view name, int index) {
+Request request_of_machine_value(std::string_view name, int index) {
   Request request;
   request.kind = RequestKind::machine_value;
   request.text = name;
@@ -38,7 +38,7 @@ bool MacroRequests::read() {
   if (!is_integer(number) || number < 1000.0) return false;
   const auto variable = machine_variable(static_cast<int>(std::lround(number)), state_.channel,
                                          vm_.file().source.rules());
-  if (!variable || variable->kind == Kind::work_offset) return false;
+  if (!variable || variable->kind == VariableKind::work_offset) return false;
   vm_.stack().drop();
   read_machine(*variable);
   return true;
@@ -46,27 +46,27 @@ bool MacroRequests::read() {
 
 void MacroRequests::read_machine(const MachineVariable& variable) {
   switch (variable.kind) {
-    case Kind::machine_position:
+    case VariableKind::machine_position:
       pending_.expect_number(from_programmed(state_.around, variable.index, 1.0) *
                              state_.around.tables.machine_reading().counts(variable.index));
-      return requests_.ask(machine_value("pos_mcs", variable.index));
-    case Kind::work_position:
+      return requests_.ask(request_of_machine_value("pos_mcs", variable.index));
+    case VariableKind::work_position:
       position_axis_ = variable.index;
       return requests_.ask({}, AnswerUse::work_position);
-    case Kind::timer:
+    case VariableKind::timer:
       pending_.expect_number(1.0 / ms_per_s, -timer_zero_s_ * ms_per_s);
-      return requests_.ask(machine_value("clock", 0));
-    case Kind::input:
+      return requests_.ask(request_of_machine_value("clock", 0));
+    case VariableKind::input:
       pending_.expect_number(1.0);
-      return requests_.ask(machine_value("in", variable.index));
-    case Kind::tool_value:
+      return requests_.ask(request_of_machine_value("in", variable.index));
+    case VariableKind::tool_value:
       return read_tool_value(variable);
-    case Kind::parts:
+    case VariableKind::parts:
       return vm_.stack().push(value_of(value_or_zero(parameters_.kept_variable(variable.index))));
-    case Kind::override_switch:
+    case VariableKind::override_switch:
       return vm_.stack().push(value_of(override_switches(variable.index)));
-    case Kind::output:
-    case Kind::work_offset:
+    case VariableKind::output:
+    case VariableKind::work_offset:
       break;
   }
   vm_.fail("E3015", "outputs can be set, not read", "cannot be read");
@@ -105,18 +105,18 @@ bool MacroRequests::set(const std::vector<SettingTarget>& targets) {
 
 void MacroRequests::set_machine(const MachineVariable& variable, double value) {
   switch (variable.kind) {
-    case Kind::timer:
+    case VariableKind::timer:
       timer_set_ms_ = value;
-      return requests_.ask(machine_value("clock", 0), AnswerUse::timer);
-    case Kind::output:
+      return requests_.ask(request_of_machine_value("clock", 0), AnswerUse::timer);
+    case VariableKind::output:
       state_.begin_commands(vm_.instruction_origin());
       return state_.queue.emit(OutputCommand{false, false, variable.index, value});
-    case Kind::tool_value:
-    case Kind::work_offset:
+    case VariableKind::tool_value:
+    case VariableKind::work_offset:
       return write_table(variable, value);
-    case Kind::parts:
+    case VariableKind::parts:
       return parameters_.set_kept_variable(variable.index, value);
-    case Kind::override_switch:
+    case VariableKind::override_switch:
       return set_override_switches(variable.index, value);
     default:
       return vm_.fail("E3013", "this variable shows the state of the machine", "cannot be set");
@@ -157,7 +157,7 @@ void MacroRequests::set_override_switches(int number, double value) {
 void MacroRequests::write_table(const MachineVariable& variable, double value) {
   Request request;
   request.statement = true;
-  if (variable.kind == Kind::tool_value) {
+  if (variable.kind == VariableKind::tool_value) {
     request.kind = RequestKind::tool_table_write;
     request.number = variable.index;
     request.index = first_edge;

@@ -126,7 +126,6 @@ constexpr auto modals_of_haas = std::to_array<ModalNumber>({
     {4012, Group::work_offset},
     {4015, Group::path_mode},
 });
-constexpr int first_extended_offset = 10;  // G54.1 P1
 
 std::optional<int> place_in(int number, int first, int count) {
   const bool inside = number >= first && number < first + count;

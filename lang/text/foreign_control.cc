@@ -43,7 +43,7 @@ std::string upper(std::string_view text) {
 }
 
 // Without blanks and the block number before the words.
-std::string_view words_of(std::string_view line) {
+std::string_view words_of_line(std::string_view line) {
   std::size_t at = 0;
   const auto skip = [&](bool (*is)(char)) {
     while (at < line.size() && is(line[at])) ++at;
@@ -62,14 +62,14 @@ std::string_view words_of(std::string_view line) {
 std::string_view control_of_header(std::string_view text) {
   if (text.starts_with("%_N_") || text.starts_with(";$PATH=")) return siemens;
   const std::string_view first = text.substr(0, text.find_first_of("\r\n"));
-  const std::string line = upper(words_of(first));
+  const std::string line = upper(words_of_line(first));
   if (line.starts_with("BEGIN PGM")) return heidenhain;
   if (line.starts_with('$') && line.find(".MIN%") != std::string::npos) return okuma;
   return {};
 }
 
 std::string_view control_of_line(std::string_view line) {
-  const std::string words = upper(words_of(line));
+  const std::string words = upper(words_of_line(line));
   for (const Mark& mark : marks) {
     if (!words.starts_with(mark.begins)) continue;
     const char next = words.size() > mark.begins.size() ? words[mark.begins.size()] : ' ';

@@ -18,7 +18,7 @@ Expression call_of(std::string_view function, const Span& span, Expression argum
 }
 
 // Brought to 0 to 360 deg.
-Expression wrapped(Expression angle) {
+Expression wrapped_angle(Expression angle) {
   const Span span = angle.span;
   return call_of("wrap360", span, std::move(angle));
 }
@@ -31,13 +31,6 @@ Expression binary(Operation operation, Expression left, Expression right) {
   made.children.push_back(std::move(left));
   made.children.push_back(std::move(right));
   return made;
-}
-
-Expression number_at(double value, const Span& span) {
-  Expression number;
-  number.number = value;
-  number.span = span;
-  return number;
 }
 
 // Words whose values are whole numbers.
@@ -205,7 +198,7 @@ MaybeExpression BracketParser::parse_condition() {
 
 Expression truth_of(Expression number) {
   const Span span = number.span;
-  return binary(Operation::not_equal, std::move(number), number_at(0.0, span));
+  return binary(Operation::not_equal, std::move(number), number_expression(0.0, span));
 }
 
 MaybeExpression BracketParser::parse_word_value(char letter) {
@@ -220,15 +213,15 @@ MaybeExpression BracketParser::parse_word_value(char letter) {
 Expression BracketParser::rounded_to_increment(Expression argument, const Span& span) const {
   constexpr double per_mm = 1000.0;
   constexpr double more_per_inch = 9000.0;
-  Expression scale = number_at(per_mm, span);
+  Expression scale = number_expression(per_mm, span);
   if (angle_words.find(word_) == std::string_view::npos) {
     Expression in_inches;
     in_inches.node = Node::named_parameter;
     in_inches.text = "_imperial";
     in_inches.span = span;
-    scale =
-        binary(Operation::add, std::move(scale),
-               binary(Operation::multiply, std::move(in_inches), number_at(more_per_inch, span)));
+    scale = binary(
+        Operation::add, std::move(scale),
+        binary(Operation::multiply, std::move(in_inches), number_expression(more_per_inch, span)));
   }
   Expression counted = binary(Operation::multiply, std::move(argument), scale);
   return binary(Operation::divide, call_of("round", span, std::move(counted)), std::move(scale));
@@ -263,14 +256,14 @@ MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
       constexpr double last = 5602.0;
       const Expression& n = call.children[0].children[0];
       return binary(Operation::bracket_and,
-                    binary(Operation::bracket_greater_equal, n, number_at(1.0, call.span)),
-                    binary(Operation::bracket_less_equal, n, number_at(last, call.span)));
+                    binary(Operation::bracket_greater_equal, n, number_expression(1.0, call.span)),
+                    binary(Operation::bracket_less_equal, n, number_expression(last, call.span)));
     }
     reporter_.error("E2001", call.span, "EXISTS takes a named parameter", "write EXISTS[#<name>]");
     return std::nullopt;
   }
   if (function == "atan2") return parse_arc_tangent(std::move(call));
-  return row.wraps ? wrapped(std::move(call)) : std::move(call);
+  return row.wraps ? wrapped_angle(std::move(call)) : std::move(call);
 }
 
 // POW[a,b], ATAN[a,b], and ATAN[a] with or without /[b].
@@ -295,7 +288,8 @@ MaybeExpression BracketParser::parse_function_of_two(const BracketFunction& row,
   }
   if (!close_bracket()) return std::nullopt;
   MaybeExpression made = has_two ? std::move(call) : parse_arc_tangent(std::move(call));
-  return made && row.wraps && made->text != "atan" ? wrapped(std::move(*made)) : std::move(made);
+  return made && row.wraps && made->text != "atan" ? wrapped_angle(std::move(*made))
+                                                   : std::move(made);
 }
 
 // ATAN[a]/[b]; in the Fanuc dialect also of one value.

@@ -169,10 +169,10 @@ bool bits_xor(Arguments a, Value& result) {
   return combine_bits(a, result, [](std::uint32_t x, std::uint32_t y) { return x ^ y; });
 }
 
-bool length_of(Arguments a, Value& result) {
+bool length_of_text(Arguments a, Value& result) {
   return set(result, static_cast<double>(character_count(text_of(a[0]))));
 }
-bool part_of(Arguments a, Value& result) {
+bool part_of_text(Arguments a, Value& result) {
   const std::string& text = text_of(a[0]);
   if (!is_integer(a[1].number) || a[1].number < 0.0) return false;
   const std::size_t first = whole_number(a[1].number);
@@ -185,7 +185,7 @@ bool part_of(Arguments a, Value& result) {
   const std::string_view rest = std::string_view(text).substr(offset_of_character(text, first));
   return set_text(result, std::string(rest.substr(0, offset_of_character(rest, count))));
 }
-bool position_of(Arguments a, Value& result) {
+bool place_of_match(Arguments a, Value& result) {
   const std::string_view text = text_of(a[0]);
   const std::size_t at = text.find(text_of(a[1]));
   if (at == std::string::npos) return set(result, -1.0);
@@ -216,7 +216,7 @@ std::string shortest_text(double number) {
   return text;
 }
 
-bool as_text(Arguments a, Value& result) {
+bool number_as_text(Arguments a, Value& result) {
   if (a.size() < 2) return set_text(result, shortest_text(a[0].number));
   if (!is_integer(a[1].number) || a[1].number < 0.0 || a[1].number > 17.0) return false;
   char text[400];
@@ -339,12 +339,12 @@ constexpr auto builtin_rows = std::to_array<Builtin>({
     number("bit_and", "nn", bits_and),
     number("bit_or", "nn", bits_or),
     number("bit_xor", "nn", bits_xor),
-    number("len", "s", length_of),
-    pure("substr", Type::string, "snn", 1, part_of),
-    number("find", "ss", position_of),
+    number("len", "s", length_of_text),
+    pure("substr", Type::string, "snn", 1, part_of_text),
+    number("find", "ss", place_of_match),
     pure("upper", Type::string, "s", 0, in_upper_case),
     pure("lower", Type::string, "s", 0, in_lower_case),
-    pure("str", Type::string, "nn", 1, as_text),
+    pure("str", Type::string, "nn", 1, number_as_text),
     number("to_num", "s", as_number),
     effect("msg", Type::none, "s", Effect::message, Message::Kind::message),
     effect("warn", Type::none, "s", Effect::message, Message::Kind::warning),

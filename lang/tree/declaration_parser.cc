@@ -13,7 +13,7 @@
 namespace stanok::lang {
 namespace {
 
-Statement statement_of(Declaration declaration) {
+Statement declaring_statement(Declaration declaration) {
   Statement statement;
   statement.kind = std::move(declaration);
   return statement;
@@ -139,7 +139,7 @@ MaybeStatement DeclarationParser::parse_items(Declaration declaration) {
     if (!parse_dimensions(declared) || !parse_initial(declared)) return spoilt(declaration);
   } while (cursor_.accept(","));
   if (!cursor_.expect(";", "the declaration")) return spoilt(declaration);
-  return statement_of(std::move(declaration));
+  return declaring_statement(std::move(declaration));
 }
 
 // The names of a declaration at fault are not told again where they are used.

@@ -86,7 +86,7 @@ IsoWord word_of(char letter, int number, const Span& span) {
   return word;
 }
 
-IsoWord code_of(CodeNumber code, const Span& span) {
+IsoWord word_of_code(CodeNumber code, const Span& span) {
   IsoWord word = word_of('G', 0, span);
   word.name.code = code;
   word.value.number = code / 10.0;
@@ -99,7 +99,7 @@ StatementList blocks_of(const PlaneForm& form, std::vector<Expression> values, c
   const std::size_t said = form.letters.size() * form.blocks;
   for (std::size_t k = 0; k < form.blocks; ++k) {
     IsoBlock block;
-    block.words.push_back(code_of(tilts, span));
+    block.words.push_back(word_of_code(tilts, span));
     block.words.push_back(word_of('P', form.p, span));
     const int q = form.blocks > 1 ? static_cast<int>(k) + 1 : form.q;
     if (q != 0) block.words.push_back(word_of('Q', q, span));
@@ -306,7 +306,7 @@ MaybeStatement DirectiveParser::parse_plane(const Span& name) {
   Statement statement;
   if (cursor_.accept(")")) {
     IsoBlock off;
-    off.words.push_back(code_of(ends_plane, name));
+    off.words.push_back(word_of_code(ends_plane, name));
     statement.kind = std::move(off);
     return cursor_.finish_line() ? MaybeStatement(std::move(statement)) : std::nullopt;
   }

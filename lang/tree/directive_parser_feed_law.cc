@@ -10,7 +10,7 @@ namespace stanok::lang {
 namespace {
 
 constexpr std::string_view no_law = "off";
-constexpr std::string_view curve_law = "curve";
+constexpr std::string_view name_of_curve = "curve";
 
 std::string signature_of(const LawForm& form) {
   std::string text = "`#feedlaw (" + std::string(form.directive);
@@ -19,7 +19,7 @@ std::string signature_of(const LawForm& form) {
 }
 
 std::vector<std::string_view> law_names() {
-  std::vector<std::string_view> names{no_law, curve_law};
+  std::vector<std::string_view> names{no_law, name_of_curve};
   for (const LawForm& form : law_forms()) {
     if (!form.directive.empty()) names.push_back(form.directive);
   }
@@ -68,7 +68,7 @@ MaybeStatement DirectiveParser::feed_law_statement(const Span& name, const Token
   const std::string wanted = folded(law.text);
   const std::size_t given = arguments.size();
   Statement statement;
-  if (wanted == no_law || wanted == curve_law) {
+  if (wanted == no_law || wanted == name_of_curve) {
     const bool right = wanted == no_law ? given == 0 : given == 2 || given == 3;
     if (!right) {
       return refuse_law_arguments(name, given,

@@ -125,10 +125,6 @@ std::string_view type_of_other_languages(std::string_view name) {
   return found == types.end() ? std::string_view() : found->second;
 }
 
-std::optional<ChannelWords> words_of(const ChannelDescription* channel) {
-  return channel != nullptr ? std::optional<ChannelWords>(std::in_place, *channel) : std::nullopt;
-}
-
 const ChannelDialect& no_dialect() {
   static const ChannelDialect none(nullptr);
   return none;
@@ -139,7 +135,7 @@ const ChannelDialect& no_dialect() {
 Parser::Parser(const Source& source, Reporter& reporter, ParserContext context)
     : context_(std::move(context)),
       dialect_(context_.dialect != nullptr ? *context_.dialect : no_dialect()),
-      channel_words_(words_of(context_.channel)),
+      channel_words_(words_of_channel(context_.channel)),
       cursor_(source, reporter),
       functions_(defined_functions(source)),
       brackets_(cursor_),

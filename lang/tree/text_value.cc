@@ -32,15 +32,15 @@ class ShortName {
 
 // The rows that compute what the rows of a table name; nullptr: no number from numbers.
 template <std::size_t Size>
-std::array<const Builtin*, Size> rows_of(const std::array<BracketFunction, Size>& table) {
+std::array<const Builtin*, Size> builtins_of(const std::array<BracketFunction, Size>& table) {
   std::array<const Builtin*, Size> rows{};
   for (std::size_t i = 0; i < Size; ++i) rows[i] = find_builtin(table[i].function);
   return rows;
 }
 
 const Builtin* builtin_of(const BracketFunction* function) {
-  static const auto usual = rows_of(bracket_functions);
-  static const auto macro = rows_of(macro_functions);
+  static const auto usual = builtins_of(bracket_functions);
+  static const auto macro = builtins_of(macro_functions);
   for (std::size_t i = 0; i < usual.size(); ++i) {
     if (function == &bracket_functions[i]) return usual[i];
   }
@@ -51,7 +51,7 @@ const Builtin* builtin_of(const BracketFunction* function) {
 }
 
 // In degrees, from 0 on.
-double wrapped(const Value& angle) {
+double wrapped_degrees(const Value& angle) {
   static const Builtin* const wrap = find_builtin("wrap360");
   Value result;
   return wrap->evaluate({&angle, 1}, result) ? result.number : angle.number;
@@ -277,7 +277,7 @@ TextValues::MaybeValue TextValues::function() {
   Value result;
   if (std::isnan(arguments[0].number) || std::isnan(arguments[1].number)) return std::nan("");
   if (row->evaluate({arguments.data(), count}, result))
-    return function->wraps ? wrapped(result) : result.number;
+    return function->wraps ? wrapped_degrees(result) : result.number;
   return fail(first,
               {"E3009", "invalid argument of `" + std::string(row->name) + "`", "no result"});
 }

@@ -92,6 +92,13 @@ struct Expression {
   std::vector<Expression> children;
 };
 
+[[nodiscard]] inline Expression number_expression(double number, const Span& span) {
+  Expression made;
+  made.span = span;
+  made.number = number;
+  return made;
+}
+
 struct Statement;
 using StatementList = std::vector<Statement>;
 

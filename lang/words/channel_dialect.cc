@@ -39,7 +39,7 @@ bool is_fixed(char letter, int number) {
   return letter == 'G' ? has(fixed_g) : has(fixed_m);
 }
 
-EffectOrder order_of(UserCode::Kind kind) {
+EffectOrder order_of_output(UserCode::Kind kind) {
   if (kind == UserCode::Kind::output_after) return EffectOrder::functions_after;
   if (kind == UserCode::Kind::output_with_motion) return EffectOrder::motion_modifier;
   return EffectOrder::functions_before;
@@ -49,7 +49,7 @@ Code row_of(const UserCode& output) {
   Code row;
   row.letter = 'M';
   row.number = static_cast<CodeNumber>(output.number);
-  row.order = order_of(output.kind);
+  row.order = order_of_output(output.kind);
   row.words = output.kind == UserCode::Kind::output_switched ? 0 : letters_of("PQ");
   row.action = CodeAction::send_machine_function;
   row.title = "function of the machine";

@@ -1,5 +1,7 @@
 #include "lang/words/channel_words.h"
 
+#include <utility>
+
 #include "lang/text/source.h"
 
 namespace stanok::lang {
@@ -33,6 +35,10 @@ AxisIndex ChannelWords::axis_called(std::string_view name) const {
     if (folded(channel_.axes[i].word) == wanted) return i;
   }
   return {};
+}
+
+std::optional<ChannelWords> words_of_channel(const ChannelDescription* channel) {
+  return channel != nullptr ? std::optional<ChannelWords>(std::in_place, *channel) : std::nullopt;
 }
 
 }  // namespace stanok::lang

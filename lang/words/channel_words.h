@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "base/axis_index.h"
@@ -56,6 +57,9 @@ class ChannelWords {
   AxisSet spindle_axes_ = 0;
   ChannelDialect dialect_;
 };
+
+// Of the channel; none where there is none.
+[[nodiscard]] std::optional<ChannelWords> words_of_channel(const ChannelDescription* channel);
 
 // Letters that name axes on some machine: what is not one here deserves a clearer answer than
 // "unused word".

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "lang/contract/code_number.h"
+
 namespace stanok::lang {
 namespace {
 
