@@ -17,12 +17,12 @@ namespace {
 using kinematics::Jet;
 
 // Largest |q'|, |q''|, |q'''| of one axis.
-struct Derivatives {
+struct LargestDerivatives {
   double first = 0.0;
   double second = 0.0;
   double third = 0.0;
 };
-using AxisDerivatives = kinematics::AxisVector<Derivatives>;
+using AxisDerivatives = kinematics::AxisVector<LargestDerivatives>;
 
 constexpr int sampling_intervals_max = 8192;
 // Sampling is refined until what may lie between samples is below this share of the bound.

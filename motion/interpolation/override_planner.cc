@@ -19,7 +19,7 @@ bool is_faster(double v, double cap) RT_SAFE {
   return v > cap * (1.0 + equal_speeds);
 }
 
-double length_of(const PhaseRun& run, double s) RT_SAFE {
+double way_of_run(const PhaseRun& run, double s) RT_SAFE {
   return run.size() == 0 ? 0.0 : run[run.size() - 1].s_end - s;
 }
 
@@ -32,7 +32,7 @@ bool can_slow_down(const PathMotion& from, const RampLimits& limits) RT_SAFE {
 }
 
 // The highest speed within a change of speed from `from`.
-double highest_speed(const PathMotion& from, double v_target, double j) RT_SAFE {
+double highest_speed_of_change(const PathMotion& from, double v_target, double j) RT_SAFE {
   return std::max({from.v, v_target, from.a > 0.0 ? eased_speed(from.v, from.a, j) : 0.0});
 }
 
@@ -188,9 +188,9 @@ OverridePlanner::RestSearch OverridePlanner::try_speed(const PathMotion& from, d
     }
   }
   if (!can_slow_down(from, limits) || then.s > sight_.end(last)) return {};
-  const double v_high = std::max(
-      {from.v, then.v,
-       std::min(highest_speed(from, v, limits.j), std::max(from.v, then.v) + limits.a * time)});
+  const double v_high = std::max({from.v, then.v,
+                                  std::min(highest_speed_of_change(from, v, limits.j),
+                                           std::max(from.v, then.v) + limits.a * time)});
   const bool slows = v < from.v && from.a <= 0.0;  // and may be slow enough where it must be
   for (std::size_t segment = first; segment <= last; ++segment) {
     const double v_cap = cap(segment, caps);
@@ -258,7 +258,7 @@ OverridePlanner::RestSearch OverridePlanner::find_rest(PathMotion from, std::siz
     search.binding_speed = cap(tight.segment, caps);
     if (!keeps(run, segment, tight.segment - 1, caps)) return search;
     draft().add(run);
-    const double reached = from.s + length_of(run, from.s);
+    const double reached = from.s + way_of_run(run, from.s);
     if (tight.v <= 0.0) {
       search.is_safe = true;
       return search;
@@ -274,16 +274,16 @@ OverridePlanner::RestSearch OverridePlanner::find_rest(PathMotion from, std::siz
 OverridePlanner::BrakingRange OverridePlanner::survey(const PathMotion& from, std::size_t segment,
                                                       Caps caps) RT_SAFE {
   BrakingRange range{.last = segment, .limits = sight_.ramp(segment)};
-  double rest = from.s + length_of(change_speed(from, 0.0, range.limits), from.s);
+  double rest = from.s + way_of_run(change_speed(from, 0.0, range.limits), from.s);
   while (rest > sight_.end(range.last)) {
     if (range.last + 1 == sight_.size()) return range;  // the end of what is known
     const std::size_t next = ++range.last;
     const double v_cap = cap(next, caps);
-    if (is_faster(highest_speed(from, 0.0, range.limits.j), v_cap)) {
+    if (is_faster(highest_speed_of_change(from, 0.0, range.limits.j), v_cap)) {
       const double eased = std::max(eased_speed(from.v, from.a, range.limits.j), 0.0);
       const double v = from.a < 0.0 ? std::min(v_cap, eased) : v_cap;
       const double slack =
-          sight_.start(next) - from.s - length_of(change_speed(from, v, range.limits), from.s);
+          sight_.start(next) - from.s - way_of_run(change_speed(from, v, range.limits), from.s);
       range.binding_speed = v_cap;
       if (slack < 0.0) return range;
       // A faster segment behind a slower one must wait until the slower one is served.
@@ -296,7 +296,7 @@ OverridePlanner::BrakingRange OverridePlanner::survey(const PathMotion& from, st
     const RampLimits lower = lower_of(range.limits, sight_.ramp(next));
     if (lower.a < range.limits.a || lower.j < range.limits.j) {
       range.limits = lower;
-      rest = from.s + length_of(change_speed(from, 0.0, lower), from.s);
+      rest = from.s + way_of_run(change_speed(from, 0.0, lower), from.s);
     }
   }
   range.fits = true;
@@ -333,7 +333,7 @@ bool OverridePlanner::ease(PathMotion& from, std::size_t& segment, Caps caps) RT
     if (v < 0.0) return false;
     run = change_speed(from, v, limits);
     settled = true;
-    const std::size_t end = sight_.segment_at(from.s + length_of(run, from.s), last);
+    const std::size_t end = sight_.segment_at(from.s + way_of_run(run, from.s), last);
     while (last < end) {
       const RampLimits lower = lower_of(limits, sight_.ramp(++last));
       settled = settled && lower.j >= limits.j;
@@ -356,7 +356,7 @@ bool OverridePlanner::stop_at_wall(const PathMotion& from, std::size_t segment,
                                    const BrakingRange& range, Caps caps) RT_SAFE {
   if (from.a != 0.0 || range.last + 1 != sight_.size()) return false;
   const double wall = sight_.end(range.last);
-  const double brake = wall - length_of(change_speed(from, 0.0, range.limits), from.s);
+  const double brake = wall - way_of_run(change_speed(from, 0.0, range.limits), from.s);
   if (brake <= from.s || brake > from.s + from.v * stop_cycles * cycle_s_) return false;
   for (std::size_t k = segment; k <= range.last; ++k) {
     if (is_faster(from.v, cap(k, caps))) return false;
@@ -375,7 +375,8 @@ void OverridePlanner::stop(const PathMotion& from, std::size_t segment, const Br
   const double wall = sight_.end(range.last);
   const double room = wall - from.s;
   const double reach = from.v * stop_cycles * cycle_s_;
-  if (range.last + 1 == sight_.size() && run.size() > 0 && length_of(run, from.s) + reach >= room) {
+  if (range.last + 1 == sight_.size() && run.size() > 0 &&
+      way_of_run(run, from.s) + reach >= room) {
     // Part of the limits: too soft, it ends behind the wall, or the deceleration there is cannot be
     // taken away before the motion turns back.
     const double least = from.a < 0.0 ? 0.5 * from.a * from.a / (from.v * range.limits.j) : 0.0;
@@ -385,13 +386,13 @@ void OverridePlanner::stop(const PathMotion& from, std::size_t segment, const Br
     for (int k = 0; k < halvings; ++k) {
       const double part = 0.5 * (soft + hard);
       const RampLimits limits{.a = part * range.limits.a, .j = part * range.limits.j};
-      (length_of(change_speed(from, 0.0, limits), from.s) > room ? soft : hard) = part;
+      (way_of_run(change_speed(from, 0.0, limits), from.s) > room ? soft : hard) = part;
     }
     const PhaseRun softer =
         change_speed(from, 0.0, {.a = hard * range.limits.a, .j = hard * range.limits.j});
     if (keeps(softer, segment, range.last, caps)) {
       draft().add(softer);
-      if (room - length_of(softer, from.s) < 1e-11) draft().end_at(wall);
+      if (room - way_of_run(softer, from.s) < 1e-11) draft().end_at(wall);
       return;
     }
   }

@@ -67,7 +67,7 @@ class SegmentWalk {
 };
 
 // In `time` from s on, at the speeds of a phase.
-double reach(const Phase& phase, double s, double time) RT_SAFE {
+double place_within(const Phase& phase, double s, double time) RT_SAFE {
   return s + time * std::max(phase.v, phase.v_end);
 }
 
@@ -80,7 +80,8 @@ PaceRoom pace_room(const PathQueue& queue, const PathCursor& cursor, double s, d
   SegmentWalk walk(queue, cursor);
   const bool has_pace = current.pace.holds();
   PaceRoom room;
-  room.here = has_pace ? current.pace : walk.limits(current, s, reach(current, s, 2.0 * time));
+  room.here =
+      has_pace ? current.pace : walk.limits(current, s, place_within(current, s, 2.0 * time));
   room.ahead = room.here;
   const double soon = 2.0 * settling_time(room.here);
   const std::size_t own = cursor.phases_left();
@@ -94,7 +95,7 @@ PaceRoom pace_room(const PathQueue& queue, const PathCursor& cursor, double s, d
     if (!limits.holds()) {
       limits = walk.limits(
           phase, from,
-          std::min(phase.s_end + offset, reach(phase, from, soon - std::max(passed, 0.0))));
+          std::min(phase.s_end + offset, place_within(phase, from, soon - std::max(passed, 0.0))));
       if (phase.a != 0.0 || phase.j != 0.0) limits.use = 1.0F;  // in places
     }
     room.ahead = highest_of(room.ahead, limits);

@@ -14,7 +14,7 @@ PathMotion end_of(const Phase& phase) RT_SAFE {
 }
 
 // Of limits that are so many times as high.
-PaceLimits eased(const PaceLimits& limits, double times) RT_SAFE {
+PaceLimits eased_pace(const PaceLimits& limits, double times) RT_SAFE {
   const auto part = static_cast<float>(1.0 / times);
   return {.use = part * limits.use,
           .velocity = part * limits.velocity,
@@ -95,8 +95,8 @@ PaceStep PlanRun::next_step(const PathQueue& queue, const PathCursor& cursor, do
   const bool is_over = target > 0.0 && goes_on_from(pace_, room.here, time);
   if (is_over) used_ = UsedLimits::of_axes;
   if (used_ == UsedLimits::of_axes) return step_pace(pace_, target, room.here, room.ahead, time);
-  return step_pace(pace_, target, eased(room.here, stop_limits_), eased(room.ahead, stop_limits_),
-                   time);
+  return step_pace(pace_, target, eased_pace(room.here, stop_limits_),
+                   eased_pace(room.ahead, stop_limits_), time);
 }
 
 double PlanRun::advance_at_pace(PathQueue& queue, PathCursor& cursor, double target, double time,

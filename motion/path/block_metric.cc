@@ -22,14 +22,14 @@ PathMetric of_geometry(const MotionConfig& config) {
 }
 
 // In its plane.
-double arc_length(const PathBlock& block, const Point& start) {
+double length_of_arc(const PathBlock& block, const Point& start) {
   const double radius = std::hypot(at(start, block.plane[0]) - block.centre[0],
                                    at(start, block.plane[1]) - block.centre[1]);
   return radius * std::abs(block.sweep_rad);
 }
 
 // No point of a polynomial over [0, 1] is farther from its first one.
-double reach(const std::array<double, 6>& coefficients) {
+double largest_way(const std::array<double, 6>& coefficients) {
   double sum = 0.0;
   for (std::size_t k = 1; k < coefficients.size(); ++k) sum += std::abs(coefficients[k]);
   return sum;
@@ -40,9 +40,9 @@ double reach(const std::array<double, 6>& coefficients) {
 bool is_point_like(const PathBlock& block, const Point& start) {
   switch (block.kind) {
     case BlockKind::arc:
-      return arc_length(block, start) <= standstill;
+      return length_of_arc(block, start) <= standstill;
     case BlockKind::curve:
-      return std::max(reach(block.curve[0]), reach(block.curve[1])) <= standstill;
+      return std::max(largest_way(block.curve[0]), largest_way(block.curve[1])) <= standstill;
     case BlockKind::line:
       break;
   }
@@ -79,7 +79,8 @@ double length_of(const PathBlock& block, const Point& start, const MotionConfig&
     if (in_plane || !metric.counts(axis)) continue;
     squared += travel(block, start, axis) * travel(block, start, axis);
   }
-  return is_curved ? std::hypot(arc_length(block, start), std::sqrt(squared)) : std::sqrt(squared);
+  return is_curved ? std::hypot(length_of_arc(block, start), std::sqrt(squared))
+                   : std::sqrt(squared);
 }
 
 }  // namespace stanok::motion

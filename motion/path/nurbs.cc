@@ -25,7 +25,7 @@ constexpr double speed_ratio_max = 16.0;
 
 using Homogeneous = std::array<double, 3>;  // w x, w y, w
 
-Homogeneous between(const Homogeneous& a, const Homogeneous& b, double part) {
+Homogeneous part_way(const Homogeneous& a, const Homogeneous& b, double part) {
   Homogeneous h;
   for (std::size_t k = 0; k < h.size(); ++k) h[k] = a[k] + (b[k] - a[k]) * part;
   return h;
@@ -51,7 +51,7 @@ std::vector<Homogeneous> bezier_of(const std::vector<Homogeneous>& control, std:
       for (std::size_t k = degree; k >= r; --k) {
         const double low = knot(span + k, degree, spans);
         const double high = knot(span + k + degree + 1 - r, degree, spans);
-        d[k] = between(d[k - 1], d[k], (place - low) / (high - low));
+        d[k] = part_way(d[k - 1], d[k], (place - low) / (high - low));
       }
     }
     bezier.push_back(d[degree]);
@@ -72,7 +72,7 @@ double size(const std::array<double, 2>& vector) {
 
 Homogeneous casteljau(std::vector<Homogeneous> points, double x) {
   for (std::size_t left = points.size(); left > 1; --left) {
-    for (std::size_t k = 0; k + 1 < left; ++k) points[k] = between(points[k], points[k + 1], x);
+    for (std::size_t k = 0; k + 1 < left; ++k) points[k] = part_way(points[k], points[k + 1], x);
   }
   return points.empty() ? Homogeneous{} : points[0];
 }

@@ -8,12 +8,25 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "motion/path/path.h"
 
 namespace stanok::motion {
 
 inline constexpr double between_samples = 1.5 / 8.0;
+
+// The largest magnitude of a smooth function, between its samples too.
+[[nodiscard]] inline double largest_with_margin(std::span<const double> samples) {
+  double largest = 0.0;
+  double bulge = 0.0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    largest = std::max(largest, std::abs(samples[k]));
+    if (k > 1)
+      bulge = std::max(bulge, std::abs(samples[k - 2] - 2.0 * samples[k - 1] + samples[k]));
+  }
+  return largest + between_samples * bulge;
+}
 
 // The transform only shifts and turns: it is affine, lines stay lines.
 [[nodiscard]] inline bool is_affine(const Segment& segment) {

@@ -15,7 +15,7 @@ Shape with_length(const Geometry& geometry) {
   return {geometry, arc_length(geometry)};
 }
 
-Geometry between(const PathMetric& metric, const Point& start, const Point& end) {
+Geometry geometry_between(const PathMetric& metric, const Point& start, const Point& end) {
   Geometry geometry;
   geometry.metric = metric;
   geometry.start = start;
@@ -36,7 +36,7 @@ Polar polar(const Point& point, const std::array<int, 2>& plane,
 }
 
 // The polynomial over a part of its parameter, which becomes 0 to 1 again.
-std::array<double, 6> part_of(const std::array<double, 6>& c, double from, double to) {
+std::array<double, 6> part_of_polynomial(const std::array<double, 6>& c, double from, double to) {
   std::array<double, 6> shifted = c;
   for (std::size_t m = 0; m < 6; ++m) {
     for (std::size_t k = 5; k > m; --k) shifted[k - 1] += from * shifted[k];
@@ -65,11 +65,11 @@ std::array<double, 6> quintic_between(double p0, double v0, double a0, double p1
 }
 
 Shape line(const PathMetric& metric, const Point& start, const Point& end) {
-  return with_length(between(metric, start, end));
+  return with_length(geometry_between(metric, start, end));
 }
 
 Shape arc(const PathMetric& metric, const Point& start, const PathBlock& block) {
-  Geometry geometry = between(metric, start, block.end);
+  Geometry geometry = geometry_between(metric, start, block.end);
   geometry.kind = SegmentKind::arc;
   geometry.plane = block.plane;
   geometry.centre = block.centre;
@@ -85,7 +85,7 @@ Shape arc(const PathMetric& metric, const Point& start, const PathBlock& block) 
 }
 
 Shape curve(const PathMetric& metric, const Point& start, const PathBlock& block) {
-  Geometry geometry = between(metric, start, block.end);
+  Geometry geometry = geometry_between(metric, start, block.end);
   geometry.kind = SegmentKind::quintic;
   for (std::size_t k = 0; k < axes_max; ++k) {
     geometry.coefficients[k] = {start[k], block.end[k] - start[k], 0.0, 0.0, 0.0, 0.0};
@@ -112,7 +112,7 @@ Contact contact_at(const Segment& segment, double s) {
 }
 
 Shape blend_curve(const PathMetric& metric, const Contact& from, const Contact& to, double reach) {
-  Geometry geometry = between(metric, from.position, to.position);
+  Geometry geometry = geometry_between(metric, from.position, to.position);
   geometry.kind = SegmentKind::quintic;
   // Control points P1 = P0 + (1 - beta) L t and P2 = P0 + (1 - gamma) L t + h^2/20 q''.
   const double h = 5.0 * (1.0 - blend_beta) * reach;
@@ -142,7 +142,8 @@ Shape part(const Segment& whole, double s_start, const Point& start, double s_en
   if (geometry.kind == SegmentKind::quintic) {
     const double from = parameter_at(whole.geometry, s_start, whole.length);
     const double to = parameter_at(whole.geometry, s_end, whole.length);
-    for (auto& coefficients : geometry.coefficients) coefficients = part_of(coefficients, from, to);
+    for (auto& coefficients : geometry.coefficients)
+      coefficients = part_of_polynomial(coefficients, from, to);
     measure(geometry);
   }
   return with_length(geometry);

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double reach_least = 1e-5;  // mm: below, the stored points no longer resolve the curve
 
-bool is_between_lines(const Segment& incoming, const Segment& outgoing) {
-  return incoming.geometry.kind == SegmentKind::line && outgoing.geometry.kind == SegmentKind::line;
-}
-
 // Two segments that meet in a corner.
 struct Corner {
   const Segment& incoming;
@@ -110,6 +106,10 @@ std::optional<Swing> fit_swing_on_arcs(const Segment& incoming, const Segment& o
 }
 
 }  // namespace
+
+bool is_between_lines(const Segment& incoming, const Segment& outgoing) {
+  return incoming.geometry.kind == SegmentKind::line && outgoing.geometry.kind == SegmentKind::line;
+}
 
 // D''(1) = 0, D'(1) = 0, D(1) = 0 with D'(0) = -1/2, half of the kink.
 SwingForm::SwingForm(double turn)

@@ -66,6 +66,8 @@ struct Swing {
   double reach = 0.0;        // where it leaves and enters the segments, from the corner
 };
 
+[[nodiscard]] bool is_between_lines(const Segment& incoming, const Segment& outgoing);
+
 // The swing with the greatest reach, up to `reach_max`, within `tolerance`, that is passed at an
 // even speed; none where a blend as long as `reach_max` keeps the tolerance by itself.
 [[nodiscard]] std::optional<Swing> fit_swing(const Segment& incoming, const Segment& outgoing,

@@ -7,14 +7,14 @@ namespace stanok::motion {
 namespace {
 
 // A value is found when the next step of Newton's method is this part of it: its rounding.
-constexpr double settled = 1e-15;
-constexpr int steps_max = 60;
+constexpr double newton_settled = 1e-15;
+constexpr int newton_steps_max = 60;
 
 // The highest speed, at or just below `v` and not below `least`, that covers no more than
 // `distance`: v itself does but for rounding.
 template <class Covered>
 double highest_within(double distance, const Covered& covered, double v, double least) RT_SAFE {
-  for (double step = settled * v; v > least && covered(v) > distance; step *= 2.0) {
+  for (double step = newton_settled * v; v > least && covered(v) > distance; step *= 2.0) {
     v = std::max(v - step, least);
   }
   return v;
@@ -119,11 +119,11 @@ double peak_speed(double v0, double v1, double distance, const RampLimits& up,
   double low = least;
   double high = v_max;
   double v = least + speed_gain(least, 0.5 * room, lower_of(up, down));
-  for (int step = 0; step < steps_max && v > low && v < high; ++step) {
+  for (int step = 0; step < newton_steps_max && v > low && v < high; ++step) {
     const double excess = covered(v) - distance;
     (excess > 0.0 ? high : low) = v;
     const double newton = v - excess / (distance_gain(v0, v, up) + distance_gain(v1, v, down));
-    if (std::abs(newton - v) <= settled * v) break;
+    if (std::abs(newton - v) <= newton_settled * v) break;
     v = newton > low && newton < high ? newton : 0.5 * (low + high);
   }
   return highest_within(distance, covered, v, least);
@@ -140,11 +140,11 @@ double time_at(const Phase& phase, double s) RT_SAFE {
   double low = 0.0;
   double high = phase.duration;
   double t = phase.duration * (s - phase.s) / (phase.s_end - phase.s);
-  for (int step = 0; step < steps_max && low < t && t < high; ++step) {
+  for (int step = 0; step < newton_steps_max && low < t && t < high; ++step) {
     const PathMotion motion = motion_at(phase, t);
     (motion.s < s ? low : high) = t;
     const double newton = motion.v > 0.0 ? t - (motion.s - s) / motion.v : high;
-    if (std::abs(newton - t) <= settled * t) break;
+    if (std::abs(newton - t) <= newton_settled * t) break;
     t = newton > low && newton < high ? newton : 0.5 * (low + high);
   }
   return t;

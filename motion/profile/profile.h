@@ -68,6 +68,15 @@ struct PathMotion {
   return motion.v == 0.0 && motion.a == 0.0;
 }
 
+// The state `t` later, with that jerk from now on; t < 0: earlier.
+[[nodiscard]] inline PathMotion motion_with_jerk(const PathMotion& motion, double jerk, double t)
+    RT_SAFE {
+  return {.s = motion.s + t * (motion.v + t * (0.5 * motion.a + t * jerk / 6.0)),
+          .v = motion.v + t * (motion.a + 0.5 * t * jerk),
+          .a = motion.a + t * jerk,
+          .j = jerk};
+}
+
 // State within a phase `t` after its start, 0 <= t <= duration.
 [[nodiscard]] PathMotion motion_at(const Phase& phase, double t) RT_SAFE;
 

@@ -59,17 +59,12 @@ CornerPass pass_of(const CornerPlace& place, std::span<const Segment> curve,
   return {std::sqrt(distance2), 0.125 * way * way * std::sqrt(bend2)};
 }
 
-bool is_between_lines(const CornerPlace& place) {
-  return place.incoming.geometry.kind == SegmentKind::line &&
-         place.outgoing.geometry.kind == SegmentKind::line;
-}
-
 // The part of the tolerance used with which chords on the curve keep the whole one, too; at most 1.
 double part_for_chords(const CornerPlace& place, std::span<const Segment> curve,
                        const Tolerance& tolerance, const MotionConfig& config) {
   constexpr double part_min = 0.1;
   constexpr double unseen = 1e-6;  // mm; chords of an exact path
-  if (!is_between_lines(place)) return 1.0;
+  if (!is_between_lines(place.incoming, place.outgoing)) return 1.0;
   const CornerPass pass = pass_of(place, curve, config);
   const double allowed = std::max(tolerance.mm, unseen);
   if (pass.distance + pass.chord <= allowed) return 1.0;
@@ -204,7 +199,7 @@ std::optional<CornerCurve> swing_at_kink(const CornerPlace& place, const CornerA
                                          const CornerCurve& blend) {
   const Passage by_blend = CornerAtAnyFeed::passage(blend);
   const double lost_max = free.time_lost(by_blend) / gain_min;
-  if (is_between_lines(place)) {
+  if (is_between_lines(place.incoming, place.outgoing)) {
     const auto foreseen = foreseen_swing(place, blend.reach, by_blend.v, tolerance, config);
     if (!foreseen || free.time_lost(*foreseen) >= lost_max) return std::nullopt;
   }
@@ -220,7 +215,9 @@ std::optional<CornerCurve> swing_instead_of(const CornerCurve& blend, const Corn
   const CornerAtAnyFeed free(place, config);
   if (!free.keeps_speed(CornerAtAnyFeed::passage(blend)))
     return swing_at_kink(place, free, tolerance, config, blend);
-  return is_between_lines(place) ? std::nullopt : swing_at_step(place, tolerance, config, blend);
+  return is_between_lines(place.incoming, place.outgoing)
+             ? std::nullopt
+             : swing_at_step(place, tolerance, config, blend);
 }
 
 // At the feeds of the blocks.

@@ -44,7 +44,7 @@ Point machine_direction(const Segment& segment, double u) {
   return direction;
 }
 
-double duration_of(std::span<const Phase> phases) {
+double time_of_phases(std::span<const Phase> phases) {
   double sum = 0.0;
   for (const Phase& phase : phases) sum += phase.duration;
   return sum;
@@ -77,7 +77,7 @@ double time_of(std::span<const Phase> phases, double s) {
 
 // How long before its end a braking is still `distance` from there.
 double time_before_end(std::span<const Phase> braking, double distance) {
-  return duration_of(braking) - time_of(braking, braking.back().s_end - distance);
+  return time_of_phases(braking) - time_of(braking, braking.back().s_end - distance);
 }
 
 double time_from_start(std::span<const Phase> starting, double distance) {
@@ -86,8 +86,8 @@ double time_from_start(std::span<const Phase> starting, double distance) {
 
 // The acceleration along the leg, in magnitude, at an instant or a cycle after it.
 double acceleration_near(std::span<const Phase> phases, double t, double cycle_s) {
-  const Moment one = moment_at(phases, std::clamp(t, 0.0, duration_of(phases)));
-  const Moment other = moment_at(phases, std::clamp(t + cycle_s, 0.0, duration_of(phases)));
+  const Moment one = moment_at(phases, std::clamp(t, 0.0, time_of_phases(phases)));
+  const Moment other = moment_at(phases, std::clamp(t + cycle_s, 0.0, time_of_phases(phases)));
   return std::max(std::abs(motion_at(*one.phase, one.t).a),
                   std::abs(motion_at(*other.phase, other.t).a));
 }
@@ -111,14 +111,6 @@ double peak(double v, double a, double j, double duration) {
   return crest > 0.0 && crest < duration ? std::max(ends, value(crest)) : ends;
 }
 
-// The motion goes on with its jerk.
-PathMotion after(const PathMotion& motion, double t) {
-  return {.s = motion.s + t * (motion.v + t * (0.5 * motion.a + t * motion.j / 6.0)),
-          .v = motion.v + t * (motion.a + 0.5 * t * motion.j),
-          .a = motion.a + t * motion.j,
-          .j = motion.j};
-}
-
 // Whether the sum of two motions along the legs, of constant jerk for `duration`, keeps the limits.
 bool keeps_limits(const OverlapCorner& corner, const PathMotion& one, const PathMotion& other,
                   double duration, const MotionConfig& config) {
@@ -139,19 +131,6 @@ bool keeps_limits(const OverlapCorner& corner, const PathMotion& one, const Path
     if (std::abs(j) > limit.jerk_max * allowed) return false;
   }
   return true;
-}
-
-// The largest magnitude of a smooth function of which `values` are samples
-// (motion/path/sampling.h).
-double largest(std::span<const double> values) {
-  double most = 0.0;
-  double bend = 0.0;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    most = std::max(most, std::abs(values[k]));
-    if (k == 0 || k + 1 == values.size()) continue;
-    bend = std::max(bend, std::abs(values[k - 1] - 2.0 * values[k] + values[k + 1]));
-  }
-  return most + between_samples * bend;
 }
 
 // Jets over time of the machine axes, and the speed of the path, while both legs move; `before`
@@ -195,11 +174,12 @@ bool keeps_limits_on_curves(const OverlapCorner& corner, const PathMotion& one,
   std::array<double, samples> values{};
   const auto most = [&](const auto& value) {
     std::ranges::transform(sums, values.begin(), value);
-    return largest(values);
+    return largest_with_margin(values);
   };
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = duration * static_cast<double>(i) / (samples - 1);
-    sums[i] = sum_of(*corner.curved, after(one, t), after(other, t), config.axis_count);
+    sums[i] = sum_of(*corner.curved, motion_with_jerk(one, one.j, t),
+                     motion_with_jerk(other, other.j, t), config.axis_count);
   }
   if (most([](const SumOfLegs& sum) { return sum.speed; }) > corner.speed_max) return false;
   for (int axis = 0; axis < config.axis_count; ++axis) {
@@ -235,7 +215,7 @@ std::vector<double> changes_of_jerk(std::span<const Phase> braking, std::span<co
 
 bool keeps_limits(const OverlapCorner& corner, std::span<const Phase> braking,
                   std::span<const Phase> starting, double tau, const MotionConfig& config) {
-  const double begin = duration_of(braking) - tau;
+  const double begin = time_of_phases(braking) - tau;
   const std::vector<double> instants = changes_of_jerk(braking, starting, tau);
   for (std::size_t k = 1; k < instants.size(); ++k) {
     const double half = 0.5 * (instants[k] - instants[k - 1]);

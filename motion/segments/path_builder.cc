@@ -61,7 +61,7 @@ SegmentProcess process_of(const BlockProcess& block) {
 }
 
 // The process of a part of the segment, between two of its path lengths.
-SegmentProcess part_of(const Segment& whole, double from, double to) {
+SegmentProcess part_of_process(const Segment& whole, double from, double to) {
   SegmentProcess process = whole.process;
   const double length = process.path_stop - process.path_start;
   process.path_start = whole.process.path_start + length * (from / whole.length);
@@ -378,7 +378,7 @@ void PathBuilder::emit_part(double from, const Point& from_point, double to, con
     const Shape rest = part(pending_->whole, from, from_point, to, to_point);
     segment.geometry = rest.geometry;
     segment.length = rest.length;
-    segment.process = part_of(pending_->whole, from, to);
+    segment.process = part_of_process(pending_->whole, from, to);
   }
   segment.bounds = segment_bounds(segment, config_);
   append(segment, jerk_part);
@@ -390,8 +390,8 @@ void PathBuilder::append_blend(Segment segment, const Pending& next, double reac
   const Segment& incoming = pending_->whole;
   const Segment& outgoing = next.whole;
   const SegmentProcess before =
-      part_of(incoming, std::max(incoming.length - reach, 0.0), incoming.length);
-  const SegmentProcess behind = part_of(outgoing, 0.0, reach);
+      part_of_process(incoming, std::max(incoming.length - reach, 0.0), incoming.length);
+  const SegmentProcess behind = part_of_process(outgoing, 0.0, reach);
   if (before.law == behind.law) {
     if (before.law != nullptr) {
       segment.process = before;

@@ -19,13 +19,6 @@ constexpr double settled_lag = CourseController::lag_max / 4;
 // The share of jerk and acceleration with which the controller takes a large difference away.
 constexpr double taken_back = 0.5;
 
-PathMotion after(const PathMotion& m, double j, double t) RT_SAFE {
-  return {.s = m.s + t * (m.v + t * (0.5 * m.a + t * j / 6.0)),
-          .v = m.v + t * (m.a + t * 0.5 * j),
-          .a = m.a + t * j,
-          .j = j};
-}
-
 }  // namespace
 
 // The controller answers a step of the encoder with its gain of s; three tenths of that are enough
@@ -50,12 +43,12 @@ PathMotion CourseController::advance(const PathMotion& motion, const Jet& course
                                      const RampLimits& limits, const SpeedRange& speeds) const
     RT_SAFE {
   const double wanted = jerk_towards(motion, course, limits);
-  return after(motion, jerk_allowed(motion, wanted, limits, speeds), cycle_s_);
+  return motion_with_jerk(motion, jerk_allowed(motion, wanted, limits, speeds), cycle_s_);
 }
 
 // Where the course, which is that of the setpoint, was at the start of its cycle.
 PathMotion CourseController::before(const Jet& course) const RT_SAFE {
-  return after({course.value, course.first, course.second}, course.third, -cycle_s_);
+  return motion_with_jerk({course.value, course.first, course.second}, course.third, -cycle_s_);
 }
 
 // The jerk over the cycle up to the setpoint: that of the course, and the controller's on the
@@ -95,7 +88,7 @@ double CourseController::jerk_allowed(const PathMotion& motion, double wanted,
   const double low = std::max(-limits.j, (-limits.a - motion.a) / cycle_s_);
   const double high = std::min(limits.j, (limits.a - motion.a) / cycle_s_);
   const auto eased = [&](double j) RT_SAFE {
-    const PathMotion next = after(motion, j, cycle_s_);
+    const PathMotion next = motion_with_jerk(motion, j, cycle_s_);
     return eased_speed(next.v, next.a, limits.j);
   };
   double beyond = std::clamp(wanted, low, high);

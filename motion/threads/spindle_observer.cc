@@ -10,7 +10,7 @@ namespace stanok::motion {
 namespace {
 
 // Along the cubic.
-SpindleMotion after(const SpindleMotion& m, double t) RT_SAFE {
+SpindleMotion along_cubic(const SpindleMotion& m, double t) RT_SAFE {
   return {.turns = m.turns + t * (m.speed + t * (m.acceleration / 2.0 + t * m.jerk / 6.0)),
           .speed = m.speed + t * (m.acceleration + t * m.jerk / 2.0),
           .acceleration = m.acceleration + t * m.jerk,
@@ -20,7 +20,7 @@ SpindleMotion after(const SpindleMotion& m, double t) RT_SAFE {
 }  // namespace
 
 SpindleMotion SpindleObserver::ahead(double time_s, const SpindleMotion& commanded) const RT_SAFE {
-  const SpindleMotion beside = after(beside_, time_s);
+  const SpindleMotion beside = along_cubic(beside_, time_s);
   return {.turns = commanded.turns + beside.turns,
           .speed = commanded.speed + beside.speed,
           .acceleration = commanded.acceleration + beside.acceleration,
@@ -30,7 +30,7 @@ SpindleMotion SpindleObserver::ahead(double time_s, const SpindleMotion& command
 
 void SpindleObserver::advance(double period_s, const SpindleMotion& commanded) RT_SAFE {
   commanded_ = commanded;
-  beside_ = after(beside_, period_s);
+  beside_ = along_cubic(beside_, period_s);
   since_observed_s_ += period_s;
 }
 

@@ -23,8 +23,8 @@ double half_duration(double h, const EndState& from, const EndState& to) {
 
 using Weights = LimitGrid::Weights;
 
-AxisRates between(const LimitGrid& grid, std::size_t interval, std::size_t axis,
-                  const Weights& weights) {
+AxisRates rates_between(const LimitGrid& grid, std::size_t interval, std::size_t axis,
+                        const Weights& weights) {
   AxisRates sum;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const AxisRates& r = grid.rates(interval, static_cast<LimitGrid::Place>(i))[axis];
@@ -42,19 +42,8 @@ AxisRates between(const LimitGrid& grid, std::size_t interval, std::size_t axis,
 constexpr std::size_t proved = 5;
 using Values = std::array<double, proved>;
 
-// The largest of the values, with what may lie between each three of them.
-double peak(const Values& f) {
-  double largest = 0.0;
-  double bulge = 0.0;
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    largest = std::max(largest, std::abs(f[i]));
-    if (i > 1) bulge = std::max(bulge, std::abs(f[i - 2] - 2.0 * f[i - 1] + f[i]));
-  }
-  return largest + between_samples * bulge;
-}
-
 // At an end, or between them where a = 0.
-double highest_speed(const Phase& phase, const PathMotion& end) {
+double highest_speed_of_phase(const Phase& phase, const PathMotion& end) {
   if (phase.a > 0.0 && end.a < 0.0) return phase.v - 0.5 * phase.a * phase.a / phase.j;
   return std::max(phase.v, end.v);
 }
@@ -67,7 +56,7 @@ PhaseUse use_of_phase(const LimitGrid& grid, std::size_t interval, double s0, co
     motion[i] = motion_at(phase, phase.duration * static_cast<double>(i) / (proved - 1));
     weights[i] = LimitGrid::weights_at(std::clamp((motion[i].s - s0) / length, 0.0, 1.0));
   }
-  const double v_max = highest_speed(phase, motion.back());
+  const double v_max = highest_speed_of_phase(phase, motion.back());
   PhaseUse use{.speed = v_max * v_max / grid.top(interval)};
   for (std::size_t k = 0; k < grid.axes(); ++k) {
     Values acceleration;
@@ -76,7 +65,7 @@ PhaseUse use_of_phase(const LimitGrid& grid, std::size_t interval, double s0, co
     Values thrust;
     Values coupling;
     for (std::size_t i = 0; i < proved; ++i) {
-      const AxisRates r = between(grid, interval, k, weights[i]);
+      const AxisRates r = rates_between(grid, interval, k, weights[i]);
       const auto& [s, v, a, j] = motion[i];
       acceleration[i] = r.curvature * v * v + r.tangent * a;
       jerk[i] = v * (r.aberrancy * v * v + 3.0 * r.bend * a) + r.thrust * j;
@@ -84,10 +73,10 @@ PhaseUse use_of_phase(const LimitGrid& grid, std::size_t interval, double s0, co
       thrust[i] = r.thrust * v;
       coupling[i] = r.bend * v * v + r.thrust * a;
     }
-    use.include({.force = std::max(peak(acceleration), peak(jerk)),
-                 .velocity = peak(velocity),
-                 .thrust = peak(thrust),
-                 .coupling = peak(coupling)});
+    use.include({.force = std::max(largest_with_margin(acceleration), largest_with_margin(jerk)),
+                 .velocity = largest_with_margin(velocity),
+                 .thrust = largest_with_margin(thrust),
+                 .coupling = largest_with_margin(coupling)});
   }
   return use;
 }

@@ -4,7 +4,7 @@ namespace stanok::motion {
 namespace {
 
 // The part of a phase between two places.
-Phase part_of(const Phase& phase, double s0, double s1) {
+Phase part_of_phase(const Phase& phase, double s0, double s1) {
   Phase part = phase;
   const double t0 = s0 > phase.s ? time_at(phase, s0) : 0.0;
   const double t1 = s1 < phase.s_end ? time_at(phase, s1) : phase.duration;
@@ -37,7 +37,7 @@ PathMotion PhaseWalk::at(double s) {
 
 void append_between(std::span<const Phase> phases, double s0, double s1, std::vector<Phase>& to) {
   for (const Phase& phase : phases) {
-    if (phase.s_end > s0 && phase.s < s1) to.push_back(part_of(phase, s0, s1));
+    if (phase.s_end > s0 && phase.s < s1) to.push_back(part_of_phase(phase, s0, s1));
   }
 }
 
