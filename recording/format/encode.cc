@@ -12,7 +12,7 @@ namespace {
 enum Flag : unsigned { moving = 1, waiting = 2, running = 4 };
 
 template <class Message>
-void put_stamp(const Stamp& stamp, Message& message) {
+void stamp_message(const Stamp& stamp, Message& message) {
   message.utime = stamp.utime;
   message.cycle = stamp.cycle;
   message.seq = stamp.seq;
@@ -90,7 +90,7 @@ void put_text(std::string_view text, std::span<std::uint8_t> bytes) {
 
 setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp) {
   auto message = zeroed<setpoint_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   put_status(output, message);
   for (int k = 0; k < output.axis_count; ++k) {
     const channels::AxisSetpoint& axis = output.axes[k];
@@ -111,7 +111,7 @@ setpoint_t to_setpoint(const channels::ChannelOutput& output, const Stamp& stamp
 
 channel_state_t to_state(const channels::ChannelOutput& output, const Stamp& stamp) {
   auto message = zeroed<channel_state_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   put_status(output, message);
   for (int k = 0; k < output.axis_count; ++k) {
     message.tip_position[k] = output.point_W[k].value;
@@ -127,7 +127,7 @@ drive_status_t to_drive_status(const channels::ChannelOutput& output, const Stam
     return bits(output.axis_count, [&](int k) { return feedback[k].*flag; });
   };
   auto message = zeroed<drive_status_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   message.channel = output.id;
   message.axis_count = output.axis_count;
   for (int k = 0; k < output.axis_count; ++k) {
@@ -148,7 +148,7 @@ drive_status_t to_drive_status(const channels::ChannelOutput& output, const Stam
 process_status_t to_process_status(const channels::ChannelOutput& output, const Stamp& stamp) {
   const channels::ProcessOutput& process = output.process;
   auto message = zeroed<process_status_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   message.channel = output.id;
   message.law = static_cast<std::int8_t>(process.law);
   message.stands = process.stands ? 1 : 0;
@@ -163,7 +163,7 @@ process_status_t to_process_status(const channels::ChannelOutput& output, const 
 force_status_t to_force_status(const channels::ChannelOutput& output, const Stamp& stamp) {
   const motion::ForceStatus& force = output.process.force;
   auto message = zeroed<force_status_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   message.channel = output.id;
   message.control = static_cast<std::int8_t>(force.state);
   message.force_set = force.force_set_n;
@@ -184,7 +184,7 @@ force_status_t to_force_status(const channels::ChannelOutput& output, const Stam
 
 tool_t to_tool(const channels::ChannelOutput& output, const Stamp& stamp) {
   auto message = zeroed<tool_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   message.channel = output.id;
   message.number = output.tool.number;
   message.edge = output.tool.edge;
@@ -193,7 +193,7 @@ tool_t to_tool(const channels::ChannelOutput& output, const Stamp& stamp) {
 
 path_t to_path(const PathPreview& preview, int number, std::size_t first, const Stamp& stamp) {
   auto message = zeroed<path_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   message.channel = preview.channel;
   message.preview = number;
   message.total = static_cast<std::int32_t>(preview.points.size());
@@ -212,7 +212,7 @@ path_t to_path(const PathPreview& preview, int number, std::size_t first, const 
 workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& stamp) {
   const channels::Workpiece& workpiece = output.workpiece;
   auto message = zeroed<workpiece_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   message.channel = output.id;
   message.known = static_cast<std::int8_t>((workpiece.has_shape ? 1U : 0U) |
                                            (workpiece.has_position ? 2U : 0U));
@@ -235,7 +235,7 @@ workpiece_t to_workpiece(const channels::ChannelOutput& output, const Stamp& sta
 
 event_t to_event(const channels::Event& event, const Stamp& stamp) {
   auto message = zeroed<event_t>();
-  put_stamp(stamp, message);
+  stamp_message(stamp, message);
   put_tag(event.tag, message);
   message.channel = event.channel;
   put_text(event.code.view(), message.code);

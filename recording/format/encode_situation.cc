@@ -26,7 +26,7 @@ void put(const lang::SystemWithin& system, double (&rows)[3][3], double (&shift)
   put(system.is_on ? system.shift : std::array<double, 3>{}, shift);
 }
 
-std::string text_of(const lang::ActiveCodes& codes) {
+std::string text_of_codes(const lang::ActiveCodes& codes) {
   std::string text;
   for (const char letter : {'G', 'M'}) {
     for (const std::string& name : lang::names_of(codes, letter))
@@ -78,7 +78,7 @@ situation_t to_situation(const channels::ChannelOutput& output,
   message.number = situation.number;
   message.scheme = output.scheme;
   message.axis_count = output.axis_count;
-  put_text(text_of(meaning.codes), message.codes);
+  put_text(text_of_codes(meaning.codes), message.codes);
   message.inches = meaning.inches() ? 1 : 0;
   for (std::size_t k = 0; k < std::size(message.diameter); ++k)
     message.diameter[k] = meaning.is_diameter(k) ? 1 : 0;

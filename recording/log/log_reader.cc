@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "recording/log/big_endian.h"
+
 namespace stanok::recording {
 namespace {
 
@@ -12,12 +14,6 @@ constexpr std::size_t sync_bytes = 4;
 constexpr std::size_t read_bytes = 1UL << 20;
 constexpr std::size_t name_bytes_max = 63;          // LCM's limit
 constexpr std::size_t data_bytes_max = 16UL << 20;  // our largest message has 4 kB
-
-std::uint64_t big_endian(const std::uint8_t* bytes, std::size_t count) {
-  std::uint64_t value = 0;
-  for (std::size_t k = 0; k < count; ++k) value = value << 8U | bytes[k];
-  return value;
-}
 
 }  // namespace
 
@@ -85,16 +81,16 @@ bool LogReader::available(std::size_t count) {
 }
 
 bool LogReader::is_sync_word(std::size_t offset) const {
-  return big_endian(window_.data() + at_ + offset, sync_bytes) == event_sync_word;
+  return big_endian({window_.data() + at_ + offset, sync_bytes}) == event_sync_word;
 }
 
 std::optional<LogReader::Header> LogReader::header_at(std::size_t offset) {
   if (!available(offset + event_header_bytes) || !is_sync_word(offset)) return std::nullopt;
   const std::uint8_t* bytes = window_.data() + at_ + offset;
-  const Header header{.number = static_cast<std::int64_t>(big_endian(bytes + 4, 8)),
-                      .utime = static_cast<std::int64_t>(big_endian(bytes + 12, 8)),
-                      .channel_bytes = big_endian(bytes + 20, 4),
-                      .data_bytes = big_endian(bytes + 24, 4)};
+  const Header header{.number = static_cast<std::int64_t>(big_endian({bytes + 4, 8})),
+                      .utime = static_cast<std::int64_t>(big_endian({bytes + 12, 8})),
+                      .channel_bytes = big_endian({bytes + 20, 4}),
+                      .data_bytes = big_endian({bytes + 24, 4})};
   const bool is_possible = header.channel_bytes > 0 && header.channel_bytes <= name_bytes_max &&
                            header.data_bytes <= data_bytes_max;
   return is_possible ? std::optional(header) : std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "base/place.h"
 #include "recording/format/channel_names.h"
+#include "recording/log/big_endian.h"
 
 namespace stanok::recording {
 namespace {
@@ -14,12 +15,6 @@ constexpr std::size_t utime_at = 8;
 constexpr std::size_t cycle_at = 16;
 constexpr std::size_t seq_at = 24;
 constexpr std::size_t path_first_at = stamp_end + 12;  // behind channel, preview and total
-
-std::uint64_t big_endian(std::span<const std::uint8_t> bytes) {
-  std::uint64_t value = 0;
-  for (const std::uint8_t byte : bytes) value = value << 8U | byte;
-  return value;
-}
 
 std::int64_t number_at(std::span<const std::uint8_t> bytes, std::size_t offset) {
   return static_cast<std::int64_t>(big_endian(bytes.subspan(offset, 8)));

@@ -79,7 +79,7 @@ std::uint64_t count_between(std::int64_t first, std::int64_t second) {
   return static_cast<std::uint64_t>(second) - static_cast<std::uint64_t>(first) - 1;
 }
 
-std::int64_t sum_of(std::int64_t count, std::uint64_t more) {
+std::int64_t total_of(std::int64_t count, std::uint64_t more) {
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   return more > static_cast<std::uint64_t>(most - count) ? most
                                                          : count + static_cast<std::int64_t>(more);
@@ -142,7 +142,7 @@ class ContentsReading::Count {
     const std::uint64_t never_sent =
         comes_every_cycle ? count_between(channel.cycle_last, heading->stamp.cycle) : 0;
     const std::uint64_t lost = count_between(last->second, heading->stamp.seq);
-    channel.missing = sum_of(channel.missing, std::max(never_sent, lost));
+    channel.missing = total_of(channel.missing, std::max(never_sent, lost));
     channel.cycle_last = heading->stamp.cycle;
     last->second = heading->stamp.seq;
   }
