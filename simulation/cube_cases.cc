@@ -51,7 +51,7 @@ void pair_on_face(const std::array<unsigned, 4>& walk, unsigned inside,
   }
 }
 
-std::vector<EdgeTriangle> triangles_of(unsigned inside) {
+std::vector<EdgeTriangle> triangles_of_case(unsigned inside) {
   std::array<std::uint8_t, edges> next{};
   next.fill(no_edge);
   for (unsigned axis = 0; axis < 3; ++axis) {
@@ -76,7 +76,8 @@ std::vector<EdgeTriangle> triangles_of(unsigned inside) {
 
 std::array<std::vector<EdgeTriangle>, 1U << corners> all_cases() {
   std::array<std::vector<EdgeTriangle>, 1U << corners> cases;
-  for (unsigned inside = 0; inside < cases.size(); ++inside) cases[inside] = triangles_of(inside);
+  for (unsigned inside = 0; inside < cases.size(); ++inside)
+    cases[inside] = triangles_of_case(inside);
   return cases;
 }
 

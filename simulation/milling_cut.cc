@@ -12,8 +12,8 @@ namespace {
 constexpr int steps_max = 1'000'000;
 constexpr double turn_share = 0.1;  // of the tolerance, for what counts as no turn
 
-Bounds bounds_of(const Body& body, const ToolMove& move) {
-  Bounds bounds = simulation::bounds_of(body, move.begin);
+Bounds bounds_of_move(const Body& body, const ToolMove& move) {
+  Bounds bounds = bounds_of(body, move.begin);
   bounds.low += move.way.cwiseMin(0.0);
   bounds.high += move.way.cwiseMax(0.0);
   return bounds;
@@ -74,7 +74,7 @@ double parts_of_way(double way, double step) {
 }  // namespace
 
 double remove(Material& material, const Body& body, const ToolMove& move) {
-  const Bounds bounds = bounds_of(body, move);
+  const Bounds bounds = bounds_of_move(body, move);
   if (!bounds.meets(material.bounds())) return 0.0;
   double volume = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -90,7 +90,7 @@ double remove(Material& material, const Body& body, const ToolMove& move) {
 
 double covered(const Material& material, const Body& body, const ToolMove& move) {
   if (body.segments.empty()) return 0.0;
-  const Bounds bounds = bounds_of(body, move);
+  const Bounds bounds = bounds_of_move(body, move);
   if (!bounds.meets(material.bounds())) return 0.0;
   double volume = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -107,7 +107,7 @@ double covered(const Material& material, const Body& body, const ToolMove& move)
 
 bool touches(const Material& material, const Body& body, const ToolPlace& place) {
   const ToolMove move{place};
-  const Bounds bounds = bounds_of(body, move);
+  const Bounds bounds = bounds_of_move(body, move);
   if (!bounds.meets(material.bounds())) return false;
   bool met = false;
   for (int axis = 0; axis < 3 && !met; ++axis) {

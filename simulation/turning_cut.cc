@@ -68,7 +68,7 @@ Polygon hull_of(Polygon points) {
   return hull;
 }
 
-struct Stretch {
+struct PolygonStretch {
   double from = std::numeric_limits<double>::infinity();
   double to = -std::numeric_limits<double>::infinity();
 
@@ -80,9 +80,9 @@ struct Stretch {
 };
 
 // Where the polygon is on the line on which `fixed` has that value, along the other coordinate.
-Stretch stretch_at(const Polygon& polygon, double PlanePoint::* fixed, double value,
-                   double PlanePoint::* free) {
-  Stretch stretch;
+PolygonStretch stretch_at(const Polygon& polygon, double PlanePoint::* fixed, double value,
+                          double PlanePoint::* free) {
+  PolygonStretch stretch;
   const PlanePoint* a = &polygon.back();
   for (const PlanePoint& b : polygon) {
     const double before = a->*fixed - value;
@@ -96,8 +96,8 @@ Stretch stretch_at(const Polygon& polygon, double PlanePoint::* fixed, double va
   return stretch;
 }
 
-Stretch extent_of(const Polygon& polygon, double PlanePoint::* coordinate) {
-  Stretch stretch;
+PolygonStretch extent_of(const Polygon& polygon, double PlanePoint::* coordinate) {
+  PolygonStretch stretch;
   for (const PlanePoint& point : polygon) stretch.include(point.*coordinate);
   return stretch;
 }
@@ -127,8 +127,8 @@ template <class Visitor>
 void visit_along_axis(const Material& material, const Ring& ring, const RayWindow& window,
                       Visitor&& visit) {
   const Grid& grid = material.grid();
-  const Stretch radii = extent_of(ring.polygon, &PlanePoint::x);
-  const Stretch heights = extent_of(ring.polygon, &PlanePoint::z);
+  const PolygonStretch radii = extent_of(ring.polygon, &PlanePoint::x);
+  const PolygonStretch heights = extent_of(ring.polygon, &PlanePoint::z);
   for (int second = window.second_from; second < window.second_to; ++second) {
     const double y = grid.middle(1, second) - ring.axis.y;
     for (int first = window.first_from; first < window.first_to; ++first) {
@@ -139,7 +139,7 @@ void visit_along_axis(const Material& material, const Ring& ring, const RayWindo
       if (!material.family(2).may_meet(ray, static_cast<float>(heights.from),
                                        static_cast<float>(heights.to)))
         continue;
-      const Stretch z = stretch_at(ring.polygon, &PlanePoint::x, radius, &PlanePoint::z);
+      const PolygonStretch z = stretch_at(ring.polygon, &PlanePoint::x, radius, &PlanePoint::z);
       if (!z.is_empty()) visit(ray, z.from, z.to);
     }
   }
@@ -157,7 +157,7 @@ void visit_across(const Material& material, const Ring& ring, int axis, const Ra
   const int side_to = along_x ? window.first_to : window.second_to;
   const double centre = along_x ? ring.axis.x : ring.axis.y;
   for (int k = z_from; k < z_to; ++k) {
-    const Stretch radii =
+    const PolygonStretch radii =
         stretch_at(ring.polygon, &PlanePoint::z, grid.middle(2, k), &PlanePoint::x);
     if (radii.is_empty()) continue;
     for (int side = side_from; side < side_to; ++side) {
@@ -179,9 +179,9 @@ void visit_across(const Material& material, const Ring& ring, int axis, const Ra
   }
 }
 
-Bounds bounds_of(const Ring& ring) {
+Bounds bounds_of_ring(const Ring& ring) {
   const double radius = extent_of(ring.polygon, &PlanePoint::x).to;
-  const Stretch z = extent_of(ring.polygon, &PlanePoint::z);
+  const PolygonStretch z = extent_of(ring.polygon, &PlanePoint::z);
   return {{ring.axis.x - radius, ring.axis.y - radius, z.from},
           {ring.axis.x + radius, ring.axis.y + radius, z.to}};
 }
@@ -195,7 +195,7 @@ double sum_over_ring(const Material& material, const Polygon& polygon, const Spi
     const Polygon half = clipped_to_side(polygon, side);
     if (half.size() < 3) continue;
     const Ring ring{half, axis};
-    const Bounds bounds = bounds_of(ring);
+    const Bounds bounds = bounds_of_ring(ring);
     if (!bounds.meets(material.bounds())) continue;
     for (int family = 0; family < 3; ++family) {
       double length = 0.0;

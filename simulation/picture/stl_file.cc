@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "base/system_error.h"
+#include "simulation/solid/stl_triangles.h"
 
 namespace stanok::simulation {
 namespace {
@@ -16,7 +17,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 constexpr std::size_t title_bytes = 80;
-constexpr std::size_t triangle_bytes = 50;
 constexpr std::size_t batch = 4096;  // triangles
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -44,9 +44,9 @@ bool write_all(std::FILE* file, const Mesh& mesh, std::string_view title) {
   std::vector<char> bytes;
   for (std::size_t from = 0; from < mesh.triangles.size(); from += batch) {
     const std::size_t to = std::min(from + batch, mesh.triangles.size());
-    bytes.resize((to - from) * triangle_bytes);
+    bytes.resize((to - from) * stl_triangle_bytes);
     for (std::size_t i = from; i < to; ++i)
-      put_triangle(mesh, mesh.triangles[i], bytes.data() + (i - from) * triangle_bytes);
+      put_triangle(mesh, mesh.triangles[i], bytes.data() + (i - from) * stl_triangle_bytes);
     if (std::fwrite(bytes.data(), bytes.size(), 1, file) != 1) return false;
   }
   return true;

@@ -11,8 +11,7 @@
 namespace stanok::simulation {
 namespace {
 
-constexpr std::size_t header_bytes = 84;    // 80 of text, then the number of triangles
-constexpr std::size_t triangle_bytes = 50;  // normal, three corners, two bytes of attributes
+constexpr std::size_t header_bytes = 84;  // 80 of text, then the number of triangles
 constexpr std::size_t normal_bytes = 12;
 
 static_assert(std::endian::native == std::endian::little, "STL numbers are little-endian");
@@ -38,7 +37,7 @@ std::size_t announced_triangles(std::string_view bytes) {
 
 bool is_binary(std::string_view bytes) {
   return bytes.size() >= header_bytes &&
-         bytes.size() == header_bytes + triangle_bytes * announced_triangles(bytes);
+         bytes.size() == header_bytes + stl_triangle_bytes * announced_triangles(bytes);
 }
 
 // -0 becomes 0, so that equal corners have equal bits.
@@ -51,7 +50,7 @@ Triangles binary_triangles(std::string_view bytes) {
   if (count > stl_triangles_max) return Unexpected(too_many(count));
   std::vector<StlTriangle> triangles(count);
   for (std::size_t k = 0; k < count; ++k) {
-    const char* const begin = bytes.data() + header_bytes + triangle_bytes * k + normal_bytes;
+    const char* const begin = bytes.data() + header_bytes + stl_triangle_bytes * k + normal_bytes;
     std::array<float, 9> numbers{};
     std::memcpy(numbers.data(), begin, sizeof numbers);
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -150,7 +149,7 @@ Triangles triangles_of(std::string_view bytes) {
     return Unexpected(no_stl(fmt::format("{} bytes are no STL file", bytes.size())));
   return Unexpected(no_stl(fmt::format(
       "a binary STL file of {} triangles has {} bytes, this one has {}", announced_triangles(bytes),
-      header_bytes + triangle_bytes * announced_triangles(bytes), bytes.size())));
+      header_bytes + stl_triangle_bytes * announced_triangles(bytes), bytes.size())));
 }
 
 }  // namespace

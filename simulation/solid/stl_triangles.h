@@ -26,6 +26,9 @@ struct StlRefusal {
   std::string help;
 };
 
+// Of a binary file: normal, three corners, two bytes of attributes.
+inline constexpr std::size_t stl_triangle_bytes = 50;
+
 inline constexpr std::size_t stl_triangles_max = 500'000;
 inline constexpr std::size_t stl_bytes_max = std::size_t{160} << 20;
 
