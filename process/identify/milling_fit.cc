@@ -8,7 +8,7 @@ namespace {
 constexpr double w_per_n_mm_per_s = 1e-3;
 constexpr double thickness_differs = 0.1;
 
-DriveRecord drive_record(const MillingRecord& record) {
+DriveRecord drive_record_of_milling(const MillingRecord& record) {
   DriveRecord drive{.cycle_s = record.cycle_s, .rev_per_min = {}, .power_w = {}, .cuts = {}};
   for (const MillingRow& row : record.rows) {
     drive.rev_per_min.push_back(row.rev_per_min);
@@ -35,7 +35,7 @@ bool has_thicknesses(const MillingRecord& record, const DriveRecord& drive) {
 }  // namespace
 
 Expected<MillingFit, std::string> fit_milling(const MillingRecord& record) {
-  const DriveRecord drive = drive_record(record);
+  const DriveRecord drive = drive_record_of_milling(record);
   if (std::string lacks = what_lacks(drive); !lacks.empty())
     return Unexpected<std::string>(std::move(lacks));
   if (!has_thicknesses(record, drive)) {

@@ -39,7 +39,8 @@ std::vector<double> watts_per_newton(const CutRecord& record) {
   return all;
 }
 
-DriveRecord drive_record(const CutRecord& record, const std::vector<double>& per_newton) {
+DriveRecord drive_record_of_turning(const CutRecord& record,
+                                    const std::vector<double>& per_newton) {
   DriveRecord drive{.cycle_s = record.cycle_s, .rev_per_min = {}, .power_w = {}, .cuts = {}};
   for (std::size_t k = 0; k < record.rows.size(); ++k) {
     drive.rev_per_min.push_back(record.rows[k].rev_per_min);
@@ -66,7 +67,7 @@ bool has_feeds(const DriveRecord& drive, const std::vector<double>& thickness_mm
 Expected<TurningFit, std::string> fit_turning(const CutRecord& record) {
   const std::vector<double> thickness_mm = thicknesses(record);
   const std::vector<double> per_newton = watts_per_newton(record);
-  const DriveRecord drive = drive_record(record, per_newton);
+  const DriveRecord drive = drive_record_of_turning(record, per_newton);
   if (std::string lacks = what_lacks(drive); !lacks.empty())
     return Unexpected<std::string>(std::move(lacks));
   if (!has_feeds(drive, thickness_mm))

@@ -10,7 +10,7 @@
 namespace stanok::process {
 namespace {
 
-constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double rad_per_rev = 2.0 * std::numbers::pi;
 constexpr int steps_of_turn = 360;
 constexpr int steps_of_pitch_least = 36;
 
@@ -27,10 +27,10 @@ MillingLoad::MillingLoad(const CuttingProcess& process, const std::vector<Engage
     : compliance_x_(compliance(process.modes_x)), compliance_y_(compliance(process.modes_y)) {
   double tool_radius = 0.0;
   for (const EngagedSlice& slice : slices) tool_radius = std::max(tool_radius, slice.radius_mm);
-  const double pitch = full_turn / process.teeth;
+  const double pitch = rad_per_rev / process.teeth;
   const int steps = std::max(steps_of_turn / process.teeth, steps_of_pitch_least);
   const auto add = [&](const EngagedSlice& slice, double angle, Step& step) {
-    const double turned = angle / full_turn - std::floor(angle / full_turn);
+    const double turned = angle / rad_per_rev - std::floor(angle / rad_per_rev);
     const auto places = slice.meets.size();
     const std::size_t place =
         std::min(checked_size(turned * static_cast<double>(places)), places - 1);
