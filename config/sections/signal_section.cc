@@ -52,7 +52,7 @@ const Keys<SignalFile>& signal_keys() {
   return keys;
 }
 
-SignalKind kind_of(const std::string& word) {
+SignalKind signal_kind_named(const std::string& word) {
   if (word == "digital_input") return SignalKind::digital_input;
   if (word == "digital_output") return SignalKind::digital_output;
   return word == "analog_input" ? SignalKind::analog_input : SignalKind::analog_output;
@@ -91,7 +91,7 @@ void check(const toml::table& table, const SignalFile& file, const Scope& scope)
 SignalConfig read_signal(const toml::table& table, const Scope& scope) {
   SignalFile file;
   read_table(table, signal_keys(), file, scope);
-  file.signal.kind = kind_of(file.kind);
+  file.signal.kind = signal_kind_named(file.kind);
   file.signal.table = table_of(file.table);
   file.signal.field.words = file.width == 32 && !file.signal.is_digital() ? 2 : 1;
   file.signal.field.order =

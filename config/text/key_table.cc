@@ -26,7 +26,7 @@ std::string joined(const std::vector<std::string_view>& names, std::string_view 
   return text;
 }
 
-std::string_view kind_of(const toml::node& node) {
+std::string_view kind_of_node(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table:
       return "a table";
@@ -54,7 +54,7 @@ std::string explained(const KeyText& key) {
 
 void wrong_kind(const toml::node& node, const KeyText& key, const Scope& scope,
                 std::string_view wanted) {
-  scope.fault(node.source(), std::string(key.name) + " is " + std::string(kind_of(node)) +
+  scope.fault(node.source(), std::string(key.name) + " is " + std::string(kind_of_node(node)) +
                                  "; write " + std::string(wanted) + " (" + explained(key) + ")");
 }
 
