@@ -13,7 +13,7 @@ std::string in_backticks(const std::string& text) {
   return "`" + text + "`";
 }
 
-std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+std::vector<std::string> names_of_commands(const std::vector<const CLI::App*>& commands) {
   std::vector<std::string> names;
   for (const CLI::App* command : commands) names.push_back(command->get_name());
   return names;
@@ -50,12 +50,12 @@ std::string command_fault(const CLI::App& app, std::span<const std::string> word
     if (subcommands.empty()) return "";  // what follows are arguments
     const auto named = std::ranges::find_if(
         subcommands, [&](const CLI::App* command) { return command->check_name(words[i]); });
-    if (named == subcommands.end()) return unknown(path, words[i], names_of(subcommands));
+    if (named == subcommands.end()) return unknown(path, words[i], names_of_commands(subcommands));
     path += " " + words[i];
     at = *named;
   }
   const auto subcommands = at->get_subcommands(nullptr);
-  return subcommands.empty() ? "" : incomplete(path, names_of(subcommands));
+  return subcommands.empty() ? "" : incomplete(path, names_of_commands(subcommands));
 }
 
 }  // namespace stanok::client

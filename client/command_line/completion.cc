@@ -41,7 +41,7 @@ const protocol::Method* method_of(std::string path) {
   return protocol::find_method(path);
 }
 
-std::string words_of(const CLI::App& command, const std::string& path) {
+std::string words_of_command(const CLI::App& command, const std::string& path) {
   std::string words;
   for (const CLI::App* subcommand : command.get_subcommands(nullptr)) {
     if (!subcommand->get_group().empty()) words += subcommand->get_name() + " ";
@@ -74,7 +74,7 @@ Argument argument_of(const CLI::App& command, const std::string& path) {
 }
 
 void append_rows(std::vector<Offer>& rows, const CLI::App& command, const std::string& path) {
-  rows.push_back({path, words_of(command, path), argument_of(command, path)});
+  rows.push_back({path, words_of_command(command, path), argument_of(command, path)});
   for (const CLI::App* subcommand : command.get_subcommands(nullptr)) {
     if (subcommand->get_group().empty()) continue;
     append_rows(rows, *subcommand, (path.empty() ? "" : path + " ") + subcommand->get_name());

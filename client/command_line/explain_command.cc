@@ -1,7 +1,5 @@
 #include "client/command_line/explain_command.h"
 
-#include <algorithm>
-#include <cctype>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -9,6 +7,7 @@
 #include "base/catalogue.h"
 #include "base/enum_names.h"
 #include "client/terminal/output.h"
+#include "client/terminal/screen_text.h"
 
 namespace stanok::client {
 namespace {
@@ -29,12 +28,6 @@ constexpr auto reaction_texts = enum_names<Reaction, 1>({
     {Reaction::all_axes_off, "all axes off"},
 });
 
-std::string upper(std::string code) {
-  std::transform(code.begin(), code.end(), code.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return code;
-}
-
 json row_json(const CatalogueRow& row) {
   return {{"code", row.code},
           {"title", row.title},
@@ -44,8 +37,8 @@ json row_json(const CatalogueRow& row) {
 }
 
 // The row of a code; those of a number without its letter.
-std::vector<const CatalogueRow*> rows_of(const std::string& code) {
-  if (const CatalogueRow* const row = find_in_catalogue(upper(code))) return {row};
+std::vector<const CatalogueRow*> rows_of_code(const std::string& code) {
+  if (const CatalogueRow* const row = find_in_catalogue(in_capitals(code))) return {row};
   std::vector<const CatalogueRow*> rows;
   for (const CatalogueRow& row : catalogue()) {
     if (row.code.substr(1) == code) rows.push_back(&row);
@@ -54,7 +47,7 @@ std::vector<const CatalogueRow*> rows_of(const std::string& code) {
 }
 
 int explain(const ExplainOptions& options) {
-  const auto rows = rows_of(options.code);
+  const auto rows = rows_of_code(options.code);
   if (rows.empty()) {
     write_message("there is no code " + options.code +
                   "; docs/reference/alarms.md lists all of them\n");
@@ -74,8 +67,8 @@ int explain(const ExplainOptions& options) {
 
 }  // namespace
 
-std::string explanation(std::string code) {
-  const CatalogueRow* row = find_in_catalogue(upper(std::move(code)));
+std::string explanation(const std::string& code) {
+  const CatalogueRow* row = find_in_catalogue(in_capitals(code));
   if (row == nullptr) return "";
   return std::string(row->code) + ": " + std::string(row->title) +
          "\n  reaction: " + std::string(reaction_texts[row->reaction]) +

@@ -9,6 +9,6 @@ namespace stanok::client {
 void add_explain_command(CLI::App& app, int& exit_code);
 
 // The text of a code; "" when the catalogue has no such code. Lower case is understood.
-[[nodiscard]] std::string explanation(std::string code);
+[[nodiscard]] std::string explanation(const std::string& code);
 
 }  // namespace stanok::client

@@ -59,7 +59,7 @@ json member(const json& object, const char* name) {
   return object.is_object() ? object.value(name, json()) : json();
 }
 
-double number(const json& object, const char* name) {
+double number_of_member(const json& object, const char* name) {
   const json value = member(object, name);
   return value.is_number() ? value.get<double>() : 0.0;
 }
@@ -105,7 +105,8 @@ bool has_code(const json& status, const char* code) {
 }
 
 double per_minute(const json& status, const char* of_minute, const char* of_second) {
-  return has(status, of_minute) ? number(status, of_minute) : number(status, of_second) * s_per_min;
+  return has(status, of_minute) ? number_of_member(status, of_minute)
+                                : number_of_member(status, of_second) * s_per_min;
 }
 
 std::string percent(const json& status, const char* override_name) {
@@ -118,7 +119,7 @@ std::string feed_text(const json& status) {
   const double now = per_minute(status, "speed_mm_min", "speed_mm_s");
   std::string line = fmt::format("{:.1f} mm/min programmed", programmed);
   if (has_code(status, "G95"))
-    line += fmt::format(" ({:.4f} mm/rev)", number(status, "feed_mm_rev"));
+    line += fmt::format(" ({:.4f} mm/rev)", number_of_member(status, "feed_mm_rev"));
   return line + fmt::format(", {:.1f} mm/min now", now) + percent(status, "feed") +
          (has(member(status, "override"), "rapid")
               ? ", rapid " + text(member(status, "override"), "rapid") + " %"
@@ -131,13 +132,13 @@ std::string spindle_text(const json& status, const json& spindle) {
                                    ? fmt::format("{:.0f} measured", std::abs(actual.get<double>()))
                                    : std::string("not measured");
   return fmt::format("S{} {}, {:.0f} rev/min commanded, {}", text(spindle, "id"),
-                     text(spindle, "direction"), std::abs(number(spindle, "commanded_rev_min")),
-                     measured) +
+                     text(spindle, "direction"),
+                     std::abs(number_of_member(spindle, "commanded_rev_min")), measured) +
          percent(status, "spindle");
 }
 
 std::string tool_text(const json& tool) {
-  if (number(tool, "number") == 0.0) return "none";
+  if (number_of_member(tool, "number") == 0.0) return "none";
   return "T" + text(tool, "number") + (has(tool, "name") ? " " + text(tool, "name") : "") +
          ", edge " + text(tool, "edge");
 }
@@ -148,8 +149,8 @@ std::string program_text(const json& status) {
   const bool is_elsewhere =
       has(status, "file") && member(status, "file") != member(status, "program");
   if (is_elsewhere) line += " in " + text(status, "file");
-  if (number(status, "line") != 0.0) line += ":" + text(status, "line");
-  if (number(status, "block") != 0.0) line += "  block " + text(status, "block");
+  if (number_of_member(status, "line") != 0.0) line += ":" + text(status, "line");
+  if (number_of_member(status, "block") != 0.0) line += "  block " + text(status, "block");
   if (has(status, "remaining_s"))
     line += "  " + duration_text(status["remaining_s"]) + " left";
   else if (has(status, "predicted_s"))
@@ -258,7 +259,8 @@ std::string channel_text(const json& status, const Terminal& terminal) {
   for (const json& spindle : spindles) lines.add("spindle", spindle_text(status, spindle));
   if (has(status, "tool") && !spindles.empty())
     lines.add("tool", tool_text(member(status, "tool")));
-  if (number(status, "scheme") != 0.0) lines.add("kinematics", "scheme " + text(status, "scheme"));
+  if (number_of_member(status, "scheme") != 0.0)
+    lines.add("kinematics", "scheme " + text(status, "scheme"));
   add_others(lines, status);
   const std::string axes = axis_table(status, terminal);
   return lines.text_so_far() + (axes.empty() ? "" : "\n" + axes);
@@ -296,8 +298,9 @@ std::string origin_text(const json& result, const Terminal& terminal) {
 
 std::vector<json> channels_in_order(const json& channels) {
   std::vector<json> ordered(channels.begin(), channels.end());
-  std::stable_sort(ordered.begin(), ordered.end(),
-                   [](const json& a, const json& b) { return number(a, "id") < number(b, "id"); });
+  std::stable_sort(ordered.begin(), ordered.end(), [](const json& a, const json& b) {
+    return number_of_member(a, "id") < number_of_member(b, "id");
+  });
   return ordered;
 }
 

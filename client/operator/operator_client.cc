@@ -59,7 +59,7 @@ int connected_descriptor(const std::filesystem::path& socket, ClientPurpose purp
   return descriptor;
 }
 
-bool is_stop(std::string_view name) {
+bool is_stop_method(std::string_view name) {
   const protocol::Method* method = protocol::find_method(name);
   return method != nullptr && method->effect == protocol::Effect::stops;
 }
@@ -106,7 +106,7 @@ OperatorClient::~OperatorClient() {
 
 Expected<json, protocol::Failure> OperatorClient::call(const std::string& method,
                                                        const json& parameters, Deadline deadline) {
-  if (turned_away_ && !is_stop(method))
+  if (turned_away_ && !is_stop_method(method))
     throw ConnectionError("the daemon ended the connection: " + *turned_away_);
   send(protocol::request_line(++last_id_, method, parameters));
   return wait_on(method, deadline);

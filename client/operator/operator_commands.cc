@@ -1,8 +1,6 @@
 #include "client/operator/operator_commands.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -16,6 +14,7 @@
 
 #include "base/system_error.h"
 #include "client/terminal/noun_command.h"
+#include "client/terminal/screen_text.h"
 #include "protocol/contract/json_rpc.h"
 
 namespace stanok::client {
@@ -37,13 +36,6 @@ struct GivenOptions {
   std::string socket;
   double timeout_s = 0.0;
 };
-
-std::string upper(std::string_view name) {
-  std::string text(name);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
 
 // rate_hz -> --rate-hz
 std::string option_name(const Parameter& parameter) {
@@ -89,7 +81,7 @@ json number(const Parameter& parameter, const std::string& text) {
 }
 
 // A file as text. "-": the standard input.
-std::string text_of_file(const Parameter& parameter, const std::string& file) {
+std::string text_of_parameter(const Parameter& parameter, const std::string& file) {
   std::ostringstream text;
   if (file == "-") {
     text << std::cin.rdbuf();
@@ -98,7 +90,7 @@ std::string text_of_file(const Parameter& parameter, const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream || !(text << stream.rdbuf())) {
       throw CLI::ValidationError(
-          upper(parameter.name),
+          in_capitals(parameter.name),
           "'" + file + "' cannot be read" +
               (errno == 0 ? std::string(", or is empty") : ": " + system_error_text(errno)));
     }
@@ -135,7 +127,7 @@ OperatorCall call_of(const Method& method, const GivenOptions& given) {
     const auto words = given.values.find(std::string(parameter.name));
     if (words == given.values.end() || words->second.empty()) continue;
     if (parameter.spelling == protocol::Spelling::file) {
-      call.parameters[words->first] = text_of_file(parameter, words->second.front());
+      call.parameters[words->first] = text_of_parameter(parameter, words->second.front());
       call.parameters.emplace("file", words->second.front());
     } else {
       call.parameters[words->first] = value_of(parameter, words->second);
@@ -164,7 +156,7 @@ void add_parameter(CLI::App& command, const Parameter& parameter, GivenOptions& 
     return;
   }
   const bool is_option = parameter.spelling == protocol::Spelling::option;
-  const std::string name = is_option ? option_name(parameter) : upper(parameter.name);
+  const std::string name = is_option ? option_name(parameter) : in_capitals(parameter.name);
   auto* option =
       command.add_option(name, given.values[std::string(parameter.name)], help_text(parameter))
           ->type_name(type_text(parameter));

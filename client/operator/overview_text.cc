@@ -31,7 +31,7 @@ std::string minute_text(const json& speed_mm_s) {
   return speed_mm_s.is_number() ? fmt::format("{:.0f}", speed_mm_s.get<double>() * s_per_min) : "-";
 }
 
-std::vector<std::string> row_of(const json& channel) {
+std::vector<std::string> row_of_channel(const json& channel) {
   const json override_percent = channel.value("override", json::object());
   return {cell_text(channel_member(channel, "id")),
           cell_text(channel_member(channel, "name")),
@@ -62,7 +62,7 @@ std::string overview_text(const json& channels, const Terminal& terminal) {
       {"channel", "name", "state", "status", "program", "mm/min", "feed %", "left", "position"});
   std::string alarms;
   for (const json& channel : channels_in_order(channels)) {
-    table.add_row(row_of(channel));
+    table.add_row(row_of_channel(channel));
     alarms += alarm_line(channel, terminal);
   }
   return table.text(terminal) + alarms;

@@ -17,7 +17,7 @@ std::string number_text(double number) {
   return fmt::format("{:.10g}", std::round(number * 1e4) / 1e4 + 0.0);
 }
 
-std::string words_of(const ordered_json& axes) {
+std::string words_of_axes(const ordered_json& axes) {
   std::string text;
   for (const auto& [word, angle] : axes.items())
     text += (text.empty() ? "" : " ") + one_line(word) + number_text(angle.get<double>());
@@ -34,7 +34,7 @@ std::string other_text(const ordered_json& plane) {
   if (other == plane.end()) return "";
   const ordered_json& axes = other->at("axes");
   std::string there =
-      fmt::format("{}: {}", one_line(other->at("word").get<std::string>()), words_of(axes));
+      fmt::format("{}: {}", one_line(other->at("word").get<std::string>()), words_of_axes(axes));
   const auto limit = other->find("limit");
   if (limit == other->end() || axes.empty()) return there;
   return fmt::format("{}, but {} ends at {}", there, one_line(axes.begin().key()),
@@ -49,7 +49,7 @@ std::string plane_table(const ordered_json& planes, const Terminal& terminal) {
   for (const ordered_json& plane : planes) {
     table.add_row({fmt::format("{}:{}", one_line(plane.at("file").get<std::string>()),
                                plane.at("line").get<int>()),
-                   direction_text(plane.at("tool")), words_of(plane.at("axes")),
+                   direction_text(plane.at("tool")), words_of_axes(plane.at("axes")),
                    other_text(plane)});
   }
   return table.text(terminal);

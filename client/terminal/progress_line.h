@@ -16,6 +16,9 @@ namespace stanok::client {
 // ECMA-48 EL: erase to the end of the line.
 [[nodiscard]] std::string progress_text(const std::string& text, std::size_t columns);
 
+// Columns for a bar whose line is cut to the terminal afterwards.
+inline constexpr std::size_t bar_columns = 79;
+
 // "[=====>    ]  12 of 40  flange.nc", for a terminal of that many columns.
 [[nodiscard]] std::string progress_bar(std::size_t done, std::size_t all, const std::string& file,
                                        std::size_t columns);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <utf8proc.h>
 
+#include <algorithm>
+#include <cctype>
 #include <iterator>
 
 #include "base/place.h"
@@ -49,7 +51,7 @@ bool is_control(std::string_view character) {
 }
 
 // Unicode, Control Pictures: U+2400 and the character, U+2421 for DEL; those of C1 have none.
-std::string picture_of(std::string_view control) {
+std::string picture_of_control(std::string_view control) {
   if (control.size() == 2) return fmt::format("\\x{:02x}", static_cast<unsigned char>(control[1]));
   if (control.front() == delete_character) return "\xE2\x90\xA1";
   return {'\xE2', '\x90', static_cast<char>('\x80' + control.front())};
@@ -132,6 +134,13 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
+std::string in_capitals(std::string_view text) {
+  std::string capitals(text);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return capitals;
+}
+
 std::string visible(std::string_view text) {
   std::string shown;
   shown.reserve(text.size());
@@ -140,7 +149,7 @@ std::string visible(std::string_view text) {
     const std::string_view character = text.substr(at, length == 0 ? 1 : length);
     const bool ends_line = text.substr(at).starts_with("\r\n");
     if (is_control(character) && character != "\n" && character != "\t" && !ends_line) {
-      shown += picture_of(character);
+      shown += picture_of_control(character);
     } else {
       shown += character;
     }

@@ -18,6 +18,9 @@ namespace stanok::client {
 // what a program or file says cannot move the cursor.
 [[nodiscard]] std::string one_line(std::string_view text);
 
+// Its ASCII letters as capitals.
+[[nodiscard]] std::string in_capitals(std::string_view text);
+
 // The text with its control characters as pictures of them (␛ for ESC, U+0080 to U+009F as \x9b),
 // so that a text of a file, or from the wire, gives a terminal no orders. Line ends, also those
 // with CR, and tabs stay.

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int format = 2;
+constexpr int plan_format = 2;
 constexpr std::size_t chunk_least = 100;
 constexpr std::size_t chunks_most = 1000;
 
@@ -73,7 +73,7 @@ std::size_t usual_chunk(std::size_t programs) {
 }
 
 std::string plan_record(const BatchPlan& plan) {
-  return bytes_of({{"format", format},
+  return bytes_of({{"format", plan_format},
                    {"task", static_cast<int>(plan.task)},
                    {"job", job_record(plan.job)},
                    {"limit_s", plan.limit_s},
@@ -93,7 +93,7 @@ std::optional<BatchPlan> plan_of(std::string_view bytes) {
   if (!found) return std::nullopt;
   const json& record = *found;
   try {
-    if (record.at("format") != format) return std::nullopt;
+    if (record.at("format") != plan_format) return std::nullopt;
     BatchPlan plan;
     plan.task = static_cast<BatchTask>(record.at("task").get<int>());
     plan.job = job_of(record.at("job"));

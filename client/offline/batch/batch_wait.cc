@@ -20,7 +20,6 @@ constexpr int submissions_again_max = 3;
 // squeue costs the controller of a cluster: seldom, once it takes long.
 constexpr milliseconds look_first{200};
 constexpr milliseconds look_last{10'000};
-constexpr std::size_t bar_columns = 79;
 
 void rest(milliseconds time) {
   const auto end = std::chrono::steady_clock::now() + time;

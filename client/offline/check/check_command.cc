@@ -15,7 +15,7 @@ struct CheckOptions {
   LibraryOptions library;
 };
 
-int run(const CheckOptions& options) {
+int run_check(const CheckOptions& options) {
   const Candidates candidates = candidates_of(options.programs);
   return run_library(candidates, options.library, check_work(options.wanted),
                      check_output(options.wanted, candidates.named));
@@ -40,7 +40,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber)
       ->type_name("BLOCKS");
   add_library_options(*command, options->library);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] { exit_code = run_check(*options); });
 }
 
 }  // namespace stanok::client

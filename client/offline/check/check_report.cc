@@ -43,12 +43,12 @@ Totals totals_of(const std::vector<CheckedProgram>& programs) {
   return sum;
 }
 
-std::vector<std::string> cells(const std::string& name, const Totals& totals) {
+std::vector<std::string> cells_of_totals(const std::string& name, const Totals& totals) {
   return {name, std::to_string(totals.blocks), std::to_string(totals.errors),
           std::to_string(totals.warnings), fmt::format("{:.3f}", totals.seconds)};
 }
 
-ordered_json fields(const Totals& totals) {
+ordered_json fields_of_totals(const Totals& totals) {
   return {{"blocks", totals.blocks},
           {"errors", totals.errors},
           {"warnings", totals.warnings},
@@ -60,13 +60,13 @@ ordered_json fields(const Totals& totals) {
 std::string summary_table(const std::vector<CheckedProgram>& programs, const Terminal& terminal) {
   TextTable table({"program", "blocks", "errors", "warnings", "seconds"});
   for (const CheckedProgram& program : programs) {
-    table.add_row(cells(program.file, totals_of(program)));
+    table.add_row(cells_of_totals(program.file, totals_of(program)));
   }
   const auto faulty = std::count_if(programs.begin(), programs.end(), [](const CheckedProgram& p) {
     return has_errors(p.diagnostics);
   });
   const std::string sum = fmt::format("{} programs, {} with errors", programs.size(), faulty);
-  table.add_row(cells(sum, totals_of(programs)));
+  table.add_row(cells_of_totals(sum, totals_of(programs)));
   return table.text(terminal);
 }
 
@@ -75,13 +75,13 @@ ordered_json summary_json(const std::vector<CheckedProgram>& programs) {
   json["files"] = ordered_json::array();
   for (const CheckedProgram& program : programs) {
     ordered_json one = {{"file", program.file}};
-    one.update(fields(totals_of(program)));
+    one.update(fields_of_totals(totals_of(program)));
     one["diagnostics"] = ordered_json::array();
     for (const Diagnostic& d : program.diagnostics) one["diagnostics"].push_back(to_json(d));
     one["tilted_planes"] = protocol::plane_json(program.planes);
     json["files"].push_back(std::move(one));
   }
-  json["totals"] = fields(totals_of(programs));
+  json["totals"] = fields_of_totals(totals_of(programs));
   return json;
 }
 

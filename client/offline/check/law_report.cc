@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* name_of(const jobs::LawBlock& block) {
+const char* name_of_law(const jobs::LawBlock& block) {
   switch (block.kind) {
     case motion::LawKind::none:
       break;
@@ -42,10 +42,10 @@ std::optional<double> cycle_of(const motion::LawEstimate& estimate) {
   return estimate.cycle ? std::optional(estimate.cycle->exact) : std::nullopt;
 }
 
-std::vector<std::string> cells(const jobs::LawBlock& block) {
+std::vector<std::string> cells_of_law(const jobs::LawBlock& block) {
   const motion::LawEstimate& e = block.estimate;
   return {fmt::format("{}:{}", block.place.file, block.place.line),
-          name_of(block),
+          name_of_law(block),
           fmt::format("{:.3f}", block.path_mm),
           std::to_string(e.increments),
           fmt::format("{:.6g}", e.feed_first),
@@ -63,10 +63,10 @@ void put(ordered_json& json, const char* name, const std::optional<double>& valu
   if (value) json[name] = *value;
 }
 
-ordered_json fields(const jobs::LawBlock& block) {
+ordered_json fields_of_law(const jobs::LawBlock& block) {
   const motion::LawEstimate& e = block.estimate;
   ordered_json json = {{"file", block.place.file},   {"line", block.place.line},
-                       {"law", name_of(block)},      {"path_mm", block.path_mm},
+                       {"law", name_of_law(block)},  {"path_mm", block.path_mm},
                        {"increments", e.increments}, {"feed_first", e.feed_first},
                        {"feed_last", e.feed_last},   {"feed_unit", unit_of(block)},
                        {"time_s", e.time_s},         {"time_is_least", block.time_is_least}};
@@ -86,7 +86,7 @@ std::string estimate_table(const std::vector<CheckedProgram>& programs, const Te
                    "cycle s", "K_A", "K_B", "K_M"});
   bool any = false;
   for (const CheckedProgram& program : programs) {
-    for (const jobs::LawBlock& block : program.laws) table.add_row(cells(block));
+    for (const jobs::LawBlock& block : program.laws) table.add_row(cells_of_law(block));
     any = any || !program.laws.empty();
   }
   return any ? table.text(terminal) : "no feed laws\n";
@@ -98,7 +98,8 @@ ordered_json estimate_json(const std::vector<CheckedProgram>& programs) {
                        {"tilted_planes", ordered_json::array()}};
   for (const CheckedProgram& program : programs) {
     for (const Diagnostic& d : program.diagnostics) json["diagnostics"].push_back(to_json(d));
-    for (const jobs::LawBlock& block : program.laws) json["feed_laws"].push_back(fields(block));
+    for (const jobs::LawBlock& block : program.laws)
+      json["feed_laws"].push_back(fields_of_law(block));
     for (auto& plane : protocol::plane_json(program.planes))
       json["tilted_planes"].push_back(std::move(plane));
   }

@@ -39,7 +39,7 @@ void show_iterations(DesignRequest& request, ProgressLine& progress) {
   };
 }
 
-void print_findings(const process::Findings& findings) {
+void print_findings_of_process(const process::Findings& findings) {
   const Terminal terminal(STDERR_FILENO);
   for (const process::Finding& finding : findings) {
     const Colour colour = finding.is_error() ? Colour::red : Colour::yellow;
@@ -69,7 +69,7 @@ int report(const GrindOptions& options, const DesignRequest& request, const Cycl
     write_json(to_json(grind_report));
   } else {
     write_data(to_text(grind_report, Terminal(STDOUT_FILENO)));
-    print_findings(findings);
+    print_findings_of_process(findings);
   }
   return process::has_errors(findings) ? exit_failed : 0;
 }
@@ -86,7 +86,7 @@ void write_program(const std::string& path, const GrindOptions& options,
 
 int refused(const GrindOptions& options, const process::Findings& findings) {
   if (options.json) write_json(refusal_json(findings));
-  if (!options.json) print_findings(findings);
+  if (!options.json) print_findings_of_process(findings);
   return exit_failed;
 }
 
@@ -163,7 +163,7 @@ int run_program(const GrindOptions& options) {
   write_program(options.program, options, request, law, request.simulation.spark_out_revolutions);
   const process::Findings findings =
       process::verify_cycle(request.process, law, request.simulation, request.limits).findings;
-  print_findings(findings);
+  print_findings_of_process(findings);
   return process::has_errors(findings) ? exit_failed : 0;
 }
 

@@ -20,7 +20,7 @@ Place place_of(const json& record) {
           .end_column = record.at(4)};
 }
 
-json record_of(const Diagnostic& diagnostic) {
+json record_of_diagnostic(const Diagnostic& diagnostic) {
   json notes = json::array();
   for (const Note& note : diagnostic.notes)
     notes.push_back(json::array({note.text, place_record(note.place)}));
@@ -54,7 +54,8 @@ Diagnostic diagnostic_of(const json& record) {
 
 json diagnostics_record(const Diagnostics& diagnostics) {
   json records = json::array();
-  for (const Diagnostic& diagnostic : diagnostics) records.push_back(record_of(diagnostic));
+  for (const Diagnostic& diagnostic : diagnostics)
+    records.push_back(record_of_diagnostic(diagnostic));
   return records;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t digest_bytes = 32;
 
-const unsigned char* bytes_of(const void* place) {
+const unsigned char* bytes_at(const void* place) {
   return static_cast<const unsigned char*>(place);
 }
 
@@ -31,8 +31,8 @@ Digest::~Digest() = default;
 
 Digest& Digest::add(std::string_view text) {
   const std::uint64_t size = text.size();
-  crypto_generichash_update(&state_->state, bytes_of(&size), sizeof(size));
-  crypto_generichash_update(&state_->state, bytes_of(text.data()), text.size());
+  crypto_generichash_update(&state_->state, bytes_at(&size), sizeof(size));
+  crypto_generichash_update(&state_->state, bytes_at(text.data()), text.size());
   return *this;
 }
 

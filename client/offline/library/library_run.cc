@@ -17,7 +17,6 @@
 namespace stanok::client {
 namespace {
 
-constexpr std::size_t bar_columns = 79;
 constexpr int jobs_max = 1024;
 
 // Where a result came from: the first byte of what a piece gives.

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int format = 1;
+constexpr int result_format = 1;
 
 // What a text was when it was asked for: where it was found and its digest; empty: not found.
 json reading_of(const recording::ProgramRead& read) {
@@ -49,7 +49,7 @@ std::optional<std::string> ResultCache::find(std::string_view program,
   if (!kept) return std::nullopt;
   const json& record = *kept;
   try {
-    if (record.at("format") != format) return std::nullopt;
+    if (record.at("format") != result_format) return std::nullopt;
     auto result = record.at("result").get<std::string>();
     if (record.at("digest") != digest_of(result)) return std::nullopt;
     const json& readings = record.at("readings");
@@ -66,7 +66,7 @@ std::optional<std::string> ResultCache::find(std::string_view program,
 
 bool ResultCache::keep(std::string_view program, const std::vector<recording::ProgramRead>& reads,
                        std::string_view result) const {
-  json record{{"format", format}, {"digest", digest_of(result)}, {"result", result}};
+  json record{{"format", result_format}, {"digest", digest_of(result)}, {"result", result}};
   json& readings = record["readings"] = json::array();
   std::set<std::pair<std::string, std::string>> asked;
   for (const recording::ProgramRead& read : reads) {

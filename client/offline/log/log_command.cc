@@ -134,7 +134,7 @@ const char* verdict_of(const runtime::ReplayResult& result) {
   return result.is_cut ? "cut" : "same";
 }
 
-int exit_code_of(const runtime::ReplayResult& result) {
+int exit_code_of_replay(const runtime::ReplayResult& result) {
   if (result.difference || result.is_damaged) return exit_failed;
   if (result.lost_cycle) return exit_log_with_losses;
   return result.is_cut ? exit_log_was_cut : 0;
@@ -182,7 +182,7 @@ int verify(const LogOptions& options) {
     write_data(fmt::format("{} setpoints of {} cycles are the same, bit for bit\n",
                            result.setpoints, result.cycles));
   }
-  return exit_code_of(result);
+  return exit_code_of_replay(result);
 }
 
 int play(const LogOptions& options) {

@@ -65,7 +65,7 @@ constexpr auto log_end_names = enum_names<recording::LogEnd>({
 });
 
 // "unknown": of a log without checks.
-std::string_view name_of(const recording::LogCoverage& coverage) {
+std::string_view name_of_end(const recording::LogCoverage& coverage) {
   return coverage.has_checks ? log_end_names[coverage.end] : "unknown";
 }
 
@@ -126,7 +126,7 @@ nlohmann::ordered_json to_json(const LogContents& contents) {
   nlohmann::ordered_json json;
   json["ok"] = contents.is_sound() && !contents.is_cut();
   json["covered"] = contents.coverage.has_checks;
-  json["end"] = name_of(contents.coverage);
+  json["end"] = name_of_end(contents.coverage);
   json["events"] = contents.events;
   json["bytes"] = contents.bytes;
   json["utime_first"] = contents.utime_first;

@@ -39,7 +39,7 @@ ordered_json by_word(std::span<const double> values, const std::vector<AxisDescr
   return json;
 }
 
-ordered_json rows_of(const double (&turn)[3][3]) {
+ordered_json rows_of_turn(const double (&turn)[3][3]) {
   ordered_json rows = ordered_json::array();
   for (const auto& row : turn) rows.push_back({row[0], row[1], row[2]});
   return rows;
@@ -67,17 +67,17 @@ ordered_json terms_of(const situation_t& situation, const std::vector<AxisDescri
   ordered_json overhang = nullptr;
   if (hangs_over) overhang = axes[checked_size(situation.overhang_axis)].word;
   return {{"work_offset", by_word(situation.work_offset, axes)},
-          {"work_turn", rows_of(situation.work_turn)},
+          {"work_turn", rows_of_turn(situation.work_turn)},
           {"overhang_axis", std::move(overhang)},
           {"overhang", situation.overhang},
-          {"set_up_error_turn", rows_of(situation.set_up_error_turn)},
+          {"set_up_error_turn", rows_of_turn(situation.set_up_error_turn)},
           {"set_up_error_shift", list_of(situation.set_up_error_shift)},
           {"local_shift", by_word(situation.local_shift, axes)},
           {"axis_shift", by_word(situation.axis_shift, axes)},
-          {"plane_turn", rows_of(situation.plane_turn)},
+          {"plane_turn", rows_of_turn(situation.plane_turn)},
           {"plane_origin", list_of(situation.plane_origin)},
           {"plane_shift", list_of(situation.plane_shift)},
-          {"rotation_turn", rows_of(situation.rotation_turn)},
+          {"rotation_turn", rows_of_turn(situation.rotation_turn)},
           {"rotation_shift", list_of(situation.rotation_shift)},
           {"gain", by_word(situation.gain, axes)},
           {"shift", by_word(situation.shift, axes)}};
@@ -117,7 +117,7 @@ ordered_json situation_json(const situation_t& situation, const recording::LogCo
           {"work_offset", channels::work_offset_name(situation.work_offset_number)},
           {"frame",
            {{"offset", by_word(situation.frame_offset, axes)},
-            {"turn", rows_of(situation.frame_turn)}}},
+            {"turn", rows_of_turn(situation.frame_turn)}}},
           {"terms", terms_of(situation, axes)},
           {"tool", {{"number", situation.tool}, {"edge", situation.edge}}},
           {"length",

@@ -94,7 +94,7 @@ void warn_of_force(double most_n, double set_n) {
       most_n, set_n));
 }
 
-int run_milling(const OptimiseOptions& options) {
+int optimise_milling(const OptimiseOptions& options) {
   const MillingRequest request{.job = forecast_job(options.program, options.job),
                                .cut = config::read_chatter_file(options.cut),
                                .tool = options.tool,
@@ -120,7 +120,7 @@ int run_milling(const OptimiseOptions& options) {
 }
 
 int run_optimise(const OptimiseOptions& options) {
-  if (!options.cut.empty()) return run_milling(options);
+  if (!options.cut.empty()) return optimise_milling(options);
   const ForecastRequest request{.job = forecast_job(options.program, options.job),
                                 .force_n = options.force_n,
                                 .feed_min = options.feed_min,

@@ -395,7 +395,7 @@ int run_one(const SimulateOptions& given) {
   return code == 0 && (!log_error.empty() || !has_workpieces) ? exit_failed : code;
 }
 
-int run(const SimulateOptions& given, const CLI::App& command) {
+int run_simulation(const SimulateOptions& given, const CLI::App& command) {
   if (given.programs.empty()) return run_one(given);
   const Candidates candidates = candidates_of(given.programs);
   check_library(command, candidates);
@@ -457,7 +457,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
           "folder for pictures of what each of several programs leaves of its blank: NAME.nc.png")
       ->type_name("FOLDER");
   add_library_options(*command, options->several.library);
-  command->callback([options, command, &exit_code] { exit_code = run(*options, *command); });
+  command->callback(
+      [options, command, &exit_code] { exit_code = run_simulation(*options, *command); });
 }
 
 }  // namespace stanok::client

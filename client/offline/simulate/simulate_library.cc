@@ -117,7 +117,7 @@ SimulatedProgram simulated(const Candidate& candidate, const LibrarySimulation& 
   return program;
 }
 
-std::string record_of(const SimulatedProgram& program) {
+std::string record_of_program(const SimulatedProgram& program) {
   return bytes_of({{"file", program.file},
                    {"ok", program.ok},
                    {"blocks", program.blocks},
@@ -169,7 +169,7 @@ void write_pictures(SimulatedProgram& program, const std::filesystem::path& firs
   program.pictures = std::move(files);
 }
 
-std::vector<std::string> asked_of(const LibrarySimulation& wanted) {
+std::vector<std::string> questions_of(const LibrarySimulation& wanted) {
   std::vector<std::string> asked{"simulate", std::to_string(wanted.job.channel),
                                  std::to_string(wanted.limit_s), std::to_string(wanted.drives),
                                  wanted.job.program_root};
@@ -251,14 +251,14 @@ LibraryWork simulation_work(const LibrarySimulation& wanted) {
       config::read_machine_file(wanted.job.machine_file));
   return {.result =
               [wanted, machine](const Candidate& candidate, runtime::TextBook& book) {
-                return record_of(simulated(candidate, wanted, *machine, book));
+                return record_of_program(simulated(candidate, wanted, *machine, book));
               },
           .files =
               [wanted, machine](const Candidate& candidate) {
                 return std::make_unique<runtime::ProgramFiles>(
                     roots_of(candidate, wanted.job), runtime::program_format(machine->machine));
               },
-          .context = [wanted, machine] { return context_of(*machine, asked_of(wanted)); }};
+          .context = [wanted, machine] { return context_of(*machine, questions_of(wanted)); }};
 }
 
 LibraryOutput simulation_output(const LibrarySimulation& wanted) {

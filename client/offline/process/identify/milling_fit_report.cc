@@ -9,24 +9,25 @@ namespace {
 
 using nlohmann::ordered_json;
 
-jobs::Figures figures_of(const MillingFitReport& report) {
+jobs::Figures figures_of_milling(const MillingFitReport& report) {
   return jobs::figures_of(report.fit, report.efficiency);
 }
 
-double speed_of(const MillingFitReport& report) {
+double speed_of_milling(const MillingFitReport& report) {
   return speed_max(report.log.record.rows);
 }
 
 }  // namespace
 
 std::string to_text(const MillingFitReport& report) {
-  return figures_text(figures_of(report)) + drive_text(report.fit, speed_of(report));
+  return figures_text(figures_of_milling(report)) +
+         drive_text(report.fit, speed_of_milling(report));
 }
 
 ordered_json to_json(const MillingFitReport& report) {
-  ordered_json json = figures_json(figures_of(report));
+  ordered_json json = figures_json(figures_of_milling(report));
   json["efficiency"] = report.efficiency;
-  add_drive_json(json, report.fit, speed_of(report));
+  add_drive_json(json, report.fit, speed_of_milling(report));
   return json;
 }
 
