@@ -9,7 +9,7 @@ using protocol::Failure;
 
 namespace {
 
-Failure refusal(int channel, const std::string& holder) {
+Failure refusal_of_control(int channel, const std::string& holder) {
   std::string text = "channel " + std::to_string(channel) + " is controlled by " + holder;
   return {protocol::FailureKind::refused, "E6080", std::move(text), channel, {}};
 }
@@ -19,7 +19,7 @@ Failure refusal(int channel, const std::string& holder) {
 std::optional<Failure> ChannelControl::take(int channel, const SessionState& session) {
   const auto [place, is_free] = holders_.try_emplace(channel, Holder{session.id, session.peer});
   if (is_free || place->second.session == session.id) return std::nullopt;
-  return refusal(channel, holder(channel));
+  return refusal_of_control(channel, holder(channel));
 }
 
 void ChannelControl::give_back(int channel, int session) {
@@ -38,12 +38,12 @@ std::optional<Failure> ChannelControl::obstacle(channels::OperatorAction action,
   if (scope == channels::ControlScope::all_channels) return obstacle_to_all(session);
   const int controller = session_with(channel);
   if (controller == 0 || controller == session) return std::nullopt;
-  return refusal(channel, holder(channel));
+  return refusal_of_control(channel, holder(channel));
 }
 
 std::optional<Failure> ChannelControl::obstacle_to_all(int session) const {
   for (const auto& [channel, held] : holders_) {
-    if (held.session != session) return refusal(channel, holder(channel));
+    if (held.session != session) return refusal_of_control(channel, holder(channel));
   }
   return std::nullopt;
 }

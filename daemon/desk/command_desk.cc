@@ -19,7 +19,7 @@ using protocol::FailureKind;
 constexpr auto standing_cycle_max = std::chrono::seconds(2);
 
 // The name of the program that the command loads, or nothing.
-std::optional<std::string> program_of(const channels::OperatorCommand& command) {
+std::optional<std::string> program_loaded_by(const channels::OperatorCommand& command) {
   namespace commands = channels::commands;
   if (const auto* load = std::get_if<commands::ProgramLoad>(&command))
     return std::string(load->program.view());
@@ -89,7 +89,7 @@ void CommandDesk::on_reply(const channels::OperatorReply& reply) {
   note_acceptance(pending.event);
   if (changes_tables(pending.event.action())) tables_have_changed_ = true;
   if (begins_program(pending.event.action())) look_again();
-  if (const auto program = program_of(pending.event.command))
+  if (const auto program = program_loaded_by(pending.event.command))
     machine_.foresee(pending.event.channel, *program);
   if (begins_program(pending.event.action()))
     machine_.foreseen_begins(pending.event.channel, std::move(pending.runs_before));
@@ -124,7 +124,7 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
   for (const auto& channel : machine_.file().machine.channels) {
     if (event.channel != 0 && event.channel != channel.id) continue;
     ChannelNotes& notes = notes_[channel.id];
-    if (auto program = program_of(event.command)) notes.program = std::move(*program);
+    if (auto program = program_loaded_by(event.command)) notes.program = std::move(*program);
     if (const auto* rapid = std::get_if<channels::commands::OverrideRapid>(&event.command))
       notes.rapid_override_percent = rapid->factor * 100.0;
     note_switches(event.command, notes);

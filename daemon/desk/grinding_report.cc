@@ -83,7 +83,7 @@ json answer(const std::string& name, const DesignRequest& request, const CycleDe
           {"samples", samples_json(request, run)}};
 }
 
-json refusal(const std::string& name, const process::Findings& findings) {
+json refused_design(const std::string& name, const process::Findings& findings) {
   return {{"program", name}, {"ok", false}, {"findings", findings_json(findings)}};
 }
 
@@ -91,13 +91,13 @@ CommandResult designed(const StoredProgram& program, const std::string& name) {
   try {
     const DesignRequest request = config::read_grinding_file(program.path);
     const auto design = process::design_cycle(request);
-    return design ? answer(name, request, *design) : refusal(name, design.error());
+    return design ? answer(name, request, *design) : refused_design(name, design.error());
   } catch (const config::ConfigError& error) {
     return wrong_sheet(error.faults().front(), name);
   }
 }
 
-CommandResult verified(const StoredProgram& program, const std::string& name) {
+CommandResult verified_control(const StoredProgram& program, const std::string& name) {
   auto file = process::read_control_text(program.text, name);
   if (!file) return Unexpected<Failure>(failure_of_diagnostic(file.error().front()));
   DesignRequest request;
@@ -118,7 +118,7 @@ void ProgramDesk::grinding(int session, const json& parameters, Answer answer) {
         const auto program = folder.read(name);
         if (!program) return Unexpected<Failure>(program.error());
         const bool is_sheet = program->path.extension() == ".toml";
-        return is_sheet ? designed(*program, name) : verified(*program, name);
+        return is_sheet ? designed(*program, name) : verified_control(*program, name);
       },
       std::move(answer));
 }

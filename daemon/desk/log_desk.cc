@@ -55,7 +55,7 @@ json difference_json(const runtime::ReplayResult& result) {
           {"repeated", difference.repeated}, {"ulp", difference.units_in_last_place}};
 }
 
-CommandResult verified(const fs::path& log, const std::stop_token& stop) {
+CommandResult verified_log(const fs::path& log, const std::stop_token& stop) {
   if (const auto failure = too_large(log)) return Unexpected<Failure>(*failure);
   try {
     const auto result = runtime::replay(log, [&](double) {
@@ -238,7 +238,7 @@ void LogDesk::verify(int session, const json& parameters, Answer answer) {
   const auto log = log_named(machine_.recording_status(), parameters["file"].get<std::string>());
   if (!log) return answer(Unexpected<Failure>(log.error()));
   work_.submit(
-      session, [log = *log](const std::stop_token& stop) { return verified(log, stop); },
+      session, [log = *log](const std::stop_token& stop) { return verified_log(log, stop); },
       std::move(answer));
 }
 

@@ -7,7 +7,7 @@ namespace fs = std::filesystem;
 using protocol::Failure;
 using protocol::FailureKind;
 
-constexpr std::uintmax_t bytes_max = 64U << 20;
+constexpr std::uintmax_t log_bytes_max = 64U << 20;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Expected<fs::path, Failure> log_named(const RecordingStatus& status, const std::
 std::optional<Failure> too_large(const fs::path& log) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(log, error);
-  if (error || bytes <= bytes_max) return std::nullopt;
+  if (error || bytes <= log_bytes_max) return std::nullopt;
   return unreadable_log(log.filename().string() + " has " + std::to_string(bytes >> 20U) +
                         " MiB; the daemon reads logs of up to 64 MiB")
       .value();

@@ -33,7 +33,7 @@ using Places = std::array<float, 3> PathPage::Point::*;
 
 constexpr std::string_view on_part = "part";
 
-std::string base64_of(const PathPage& page, Places places) {
+std::string base64_of_points(const PathPage& page, Places places) {
   protocol::GeometryBytes bytes;
   bytes.reserve(page.points.size());
   for (const PathPage::Point& point : page.points) bytes.add(point.*places, point.line);
@@ -68,7 +68,7 @@ double feed_of(const PathPage::Point& point) {
   return std::round(static_cast<double>(point.feed_mm_per_min) * 10.0) / 10.0;
 }
 
-json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number, Places places) {
+json geometry_of_path(const PathPage& page, std::uint32_t id, std::size_t number, Places places) {
   return {{"kind", protocol::GeometryKind::path},
           {"id", id},
           {"page", number},
@@ -78,7 +78,7 @@ json geometry_of(const PathPage& page, std::uint32_t id, std::size_t number, Pla
           {"begins", ranges_where(page, &PathPage::Point::begins)},
           {"feeds", steps_of(page, feed_of)},
           {"tools", steps_of(page, [](const PathPage::Point& point) { return point.tool; })},
-          {"base64", base64_of(page, places)}};
+          {"base64", base64_of_points(page, places)}};
 }
 
 CommandResult path_is_gone() {
@@ -117,7 +117,7 @@ CommandResult path_answer(const jobs::PlannedPath* path, int channel, const json
   if (page == nullptr) return answer;
   const Places places =
       system == on_part ? &PathPage::Point::on_part_mm : &PathPage::Point::place_mm;
-  answer["geometry"] = geometry_of(*page, path->id(), number, places);
+  answer["geometry"] = geometry_of_path(*page, path->id(), number, places);
   if (!wants_one && number + 1 < state.pages) {
     answer["geometry"]["more"] = {{"method", "program.path"},
                                   {"params",

@@ -25,11 +25,11 @@ using nlohmann::json;
 using protocol::Failure;
 using protocol::FailureKind;
 
-CommandResult fail(const Failure& failure) {
+CommandResult failed_command(const Failure& failure) {
   return Unexpected<Failure>(failure);
 }
 
-std::string program_of(const json& parameters) {
+std::string program_named_in(const json& parameters) {
   return parameters["program"].get<std::string>();
 }
 
@@ -88,9 +88,11 @@ CommandResult estimate_of(const runtime::SimulationOptions& options, const std::
   const auto error =
       std::find_if(result.load_diagnostics.begin(), result.load_diagnostics.end(),
                    [](const auto& told) { return told.diagnostic.severity == Severity::error; });
-  if (error != result.load_diagnostics.end()) return fail(failure_of_diagnostic(error->diagnostic));
+  if (error != result.load_diagnostics.end())
+    return failed_command(failure_of_diagnostic(error->diagnostic));
   if (!result.refusals.empty())
-    return fail({FailureKind::refused, "", program + ": " + result.refusals.front(), 0, {}});
+    return failed_command(
+        {FailureKind::refused, "", program + ": " + result.refusals.front(), 0, {}});
   json runs = json::array();
   for (const channels::RunReport& run : result.runs) runs.push_back(run_json(run, result.cycle_s));
   return json{{"program", program},
@@ -127,10 +129,10 @@ void ProgramDesk::read(int session, const json& parameters, Answer answer) {
   const auto offset = parameters.value("offset", std::size_t{0});
   files_.submit(
       session,
-      [folder = folder(), name = program_of(parameters),
+      [folder = folder(), name = program_named_in(parameters),
        offset](const std::stop_token&) -> CommandResult {
         const auto program = folder.read(name);
-        return program ? read_answer(name, *program, offset) : fail(program.error());
+        return program ? read_answer(name, *program, offset) : failed_command(program.error());
       },
       std::move(answer));
 }
@@ -146,11 +148,11 @@ bool ProgramDesk::gather(int session, const std::string& program, const std::str
 }
 
 void ProgramDesk::write(int session, const json& parameters, Answer answer) {
-  const std::string name = program_of(parameters);
+  const std::string name = program_named_in(parameters);
   if (!gather(session, name, parameters["text"].get<std::string>())) {
     uploads_.erase(session);
-    return answer(
-        fail({FailureKind::refused, "E9007", "too much text is being transferred", 0, {}}));
+    return answer(failed_command(
+        {FailureKind::refused, "E9007", "too much text is being transferred", 0, {}}));
   }
   if (parameters.value("more", 0) != 0) {
     const std::size_t bytes = uploads_[session].text.size();
@@ -162,7 +164,7 @@ void ProgramDesk::write(int session, const json& parameters, Answer answer) {
       [folder = folder(), name, text = std::move(text),
        expected = expected_version(parameters)](const std::stop_token&) -> CommandResult {
         const auto version = folder.write(name, text, expected);
-        if (!version) return fail(version.error());
+        if (!version) return failed_command(version.error());
         return json{{"program", name}, {"version", *version}, {"bytes", text.size()}};
       },
       std::move(answer));
@@ -171,9 +173,9 @@ void ProgramDesk::write(int session, const json& parameters, Answer answer) {
 void ProgramDesk::remove(int session, const json& parameters, Answer answer) {
   files_.submit(
       session,
-      [folder = folder(), name = program_of(parameters),
+      [folder = folder(), name = program_named_in(parameters),
        expected = expected_version(parameters)](const std::stop_token&) -> CommandResult {
-        if (const auto failure = folder.remove(name, expected)) return fail(*failure);
+        if (const auto failure = folder.remove(name, expected)) return failed_command(*failure);
         return json{{"program", name}};
       },
       std::move(answer));
@@ -181,7 +183,7 @@ void ProgramDesk::remove(int session, const json& parameters, Answer answer) {
 
 // With the tables and the schemes of now; the newest check of a session is the one that counts.
 void ProgramDesk::check(int session, const json& parameters, int channel, Answer answer) {
-  const std::string name = program_of(parameters);
+  const std::string name = program_named_in(parameters);
   channels::MachineConfig machine = machine_.file().machine;
   machine.tables = machine_.tables();
   const auto output = machine_.newest_output();
@@ -218,7 +220,7 @@ void ProgramDesk::check(int session, const json& parameters, int channel, Answer
 // The machine as it stands, with ideal drives, on a virtual clock; given up like a foresight.
 void ProgramDesk::estimate(int session, const json& parameters, int channel, Answer answer) {
   runtime::SimulationOptions options = simulation_as_it_stands(machine_);
-  options.programs = {{channel, program_of(parameters)}};
+  options.programs = {{channel, program_named_in(parameters)}};
   options.until_s = time_ahead_max_s;
   checks_.cancel(session);
   checks_.submit(
@@ -231,7 +233,7 @@ void ProgramDesk::estimate(int session, const json& parameters, int channel, Ans
 
 void ProgramDesk::picture(int session, const json& parameters, int channel, Answer answer) {
   runtime::SimulationOptions options = simulation_as_it_stands(machine_);
-  options.programs = {{channel, program_of(parameters)}};
+  options.programs = {{channel, program_named_in(parameters)}};
   options.until_s = time_ahead_max_s;
   checks_.cancel(session);
   checks_.submit(session, part_after(std::move(options)), std::move(answer));

@@ -64,8 +64,8 @@ int replace(int folder, const std::string& name, const std::string& text) {
 }
 
 // Where a program of that name is, or would be.
-fs::path place_of(const fs::path& root, const std::string& name,
-                  const std::optional<StoredProgram>& there) {
+fs::path place_of_program(const fs::path& root, const std::string& name,
+                          const std::optional<StoredProgram>& there) {
   return there ? there->path.lexically_relative(root.lexically_normal()) : fs::path(name);
 }
 
@@ -127,7 +127,7 @@ Expected<std::string, Failure> ProgramFolder::write(const std::string& name,
   if (*there && expected.version != "any" && !is_utf8((*there)->text))
     return Unexpected<Failure>(cannot_write(
         name, "its text is not UTF-8, and characters would be lost; convert it first"));
-  const fs::path place = place_of(root_, name, *there);
+  const fs::path place = place_of_program(root_, name, *there);
   const std::string file = place.filename().string();
   if (file.empty() || file.starts_with('.'))
     return Unexpected<Failure>(cannot_write(name, "names of programs must not begin with a dot"));
@@ -145,7 +145,7 @@ std::optional<Failure> ProgramFolder::remove(const std::string& name,
   if (!*there)
     return Failure{FailureKind::refused, "E7001", "the file was not found: " + name, 0, {}};
   if (const auto other = conflict(name, *there, expected)) return other;
-  const fs::path place = place_of(root_, name, *there);
+  const fs::path place = place_of_program(root_, name, *there);
   const FileDescriptor folder(open_folder(root_, place.parent_path()));
   if (!folder.is_open() || ::unlinkat(folder.number(), place.filename().c_str(), 0) != 0)
     return cannot_write(name, system_error_text(errno));

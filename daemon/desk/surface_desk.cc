@@ -28,7 +28,7 @@ std::uint32_t deviation_of(const ReferenceSurface& reference, const SurfacePage:
       static_cast<std::int32_t>(std::clamp(steps, -steps_max, steps_max)));
 }
 
-std::string base64_of(const SurfacePage& page, const ReferenceSurface* reference) {
+std::string base64_of_corners(const SurfacePage& page, const ReferenceSurface* reference) {
   protocol::GeometryBytes bytes;
   bytes.reserve(page.corners.size());
   for (const SurfacePage::Corner& corner : page.corners) {
@@ -38,7 +38,8 @@ std::string base64_of(const SurfacePage& page, const ReferenceSurface* reference
   return bytes.base64();
 }
 
-json geometry_of(const SurfacePage& page, std::size_t number, const ReferenceSurface* reference) {
+json geometry_of_surface(const SurfacePage& page, std::size_t number,
+                         const ReferenceSurface* reference) {
   json bricks = json::array();
   for (const SurfacePage::Brick& brick : page.bricks)
     bricks.push_back({brick.number, brick.first, brick.behind});
@@ -47,11 +48,11 @@ json geometry_of(const SurfacePage& page, std::size_t number, const ReferenceSur
           {"page", number},
           {"count", page.corners.size()},
           {"bricks", std::move(bricks)},
-          {"base64", base64_of(page, reference)}};
+          {"base64", base64_of_corners(page, reference)}};
 }
 
 // A kind that nobody knows is no blank: it has been refused.
-const char* name_of(simulation::BlankKind kind) {
+const char* name_of_blank(simulation::BlankKind kind) {
   if (kind == simulation::BlankKind::solid) return "solid";
   return kind == simulation::BlankKind::cylinder ? "cylinder" : "box";
 }
@@ -73,13 +74,13 @@ json surface_answer(int channel, const SurfaceRequest& request,
           {"version", page->version},
           {"next", page->next ? json(*page->next) : json(nullptr)},
           {"blank",
-           {{"shape", name_of(blank.kind)},
+           {{"shape", name_of_blank(blank.kind)},
             {"size", numbers(blank.size)},
             {"zero", numbers(blank.zero)},
             {"resolution", blank.resolution}}},
           {"base", carried_json(page->scheme, page->in_base)},
           {"cycles_left_out", page->cycles_left_out},
-          {"geometry", geometry_of(*page, request.from, reference)}};
+          {"geometry", geometry_of_surface(*page, request.from, reference)}};
 }
 
 }  // namespace

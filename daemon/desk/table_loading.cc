@@ -23,7 +23,7 @@ using nlohmann::json;
 using protocol::Failure;
 using protocol::FailureKind;
 
-Failure failure_of(const config::ConfigError& error) {
+Failure failure_of_config(const config::ConfigError& error) {
   const config::ConfigFault& first = error.faults().front();
   std::string text = first.text;
   const std::size_t others = error.faults().size() - 1;
@@ -84,8 +84,8 @@ Expected<std::vector<OperatorEvent>, Failure> changes_of_tool(const ToolEdge& wa
 }
 
 // What is not named is zero.
-double value_in(const std::map<std::string, channels::AxisRow>& rows, const std::string& name,
-                const std::string& axis) {
+double value_in_rows(const std::map<std::string, channels::AxisRow>& rows, const std::string& name,
+                     const std::string& axis) {
   const auto row = rows.find(name);
   if (row == rows.end()) return 0.0;
   const auto value = row->second.find(axis);
@@ -100,7 +100,7 @@ std::optional<Failure> change_of_reference_point(const TablesConfig& wanted,
     for (const auto& [name, row] : points) {
       for (const auto& [axis, value] : row) {
         const bool has_any = of_channel != now.reference_points.end();
-        const double before = has_any ? value_in(of_channel->second, name, axis) : 0.0;
+        const double before = has_any ? value_in_rows(of_channel->second, name, axis) : 0.0;
         if (value == before) continue;
         std::string text = "reference point " + name;
         text.append(" of channel ").append(std::to_string(channel)).append(": ").append(axis);
@@ -167,7 +167,7 @@ Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& m
     wanted =
         config::read_tables_text(text, name, config::names_of_axes(machine.file().machine), now);
   } catch (const config::ConfigError& error) {
-    return Unexpected<Failure>(failure_of(error));
+    return Unexpected<Failure>(failure_of_config(error));
   }
   if (auto refusal = change_of_reference_point(wanted, now))
     return Unexpected<Failure>(std::move(*refusal));
@@ -181,7 +181,7 @@ Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& m
   }
   for (const auto& [offset, values] : wanted.offsets) {
     for (const auto& [axis, value] : values) {
-      if (value == value_in(now.offsets, offset, axis)) continue;
+      if (value == value_in_rows(now.offsets, offset, axis)) continue;
       std::string place = offset;
       place.append(" ").append(axis);
       commands.push_back(event_of(channels::commands::OffsetSet{

@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr auto period = std::chrono::milliseconds(50);
-constexpr std::int64_t bytes_max = 8'000'000;
+constexpr auto writing_period = std::chrono::milliseconds(50);
+constexpr std::int64_t journal_bytes_max = 8'000'000;
 // What a disk that takes nothing may cost in memory.
 constexpr std::size_t unwritten_max = 20'000;
 
@@ -89,7 +89,7 @@ void Journal::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     write();
     std::unique_lock lock(mutex_);
-    wake_.wait_for(lock, stop, period, [] { return false; });
+    wake_.wait_for(lock, stop, writing_period, [] { return false; });
   }
 }
 
@@ -124,7 +124,7 @@ std::optional<std::string> Journal::bring_to_disk() {
     if (auto fault = file_.append(unwritten_)) return fault;
     unwritten_.clear();
   }
-  const bool is_long = has_news && file_.bytes() > bytes_max;
+  const bool is_long = has_news && file_.bytes() > journal_bytes_max;
   if (!is_behind_ && !is_long) return std::nullopt;
   if (auto fault = file_.replace(contents_.records())) return fault;
   unwritten_.clear();

@@ -35,7 +35,7 @@ Value value_in(const json& record, const char* name, Value otherwise) {
 }
 
 template <class Value>
-void keep_newest(std::map<std::pair<int, std::uint64_t>, Value>& all, int channel) {
+void keep_newest_of_channel(std::map<std::pair<int, std::uint64_t>, Value>& all, int channel) {
   const auto begin = all.lower_bound({channel, 0});
   const auto end = all.lower_bound({channel + 1, 0});
   const auto count = std::distance(begin, end);
@@ -116,8 +116,8 @@ void JournalContents::take(const json& record) {
   const bool is_action =
       kind == journal_kind::action || kind == journal_kind::start || kind == journal_kind::end;
   if (is_action) take_action(record);
-  keep_newest(runs_, key.first);
-  keep_newest(alarms_, key.first);
+  keep_newest_of_channel(runs_, key.first);
+  keep_newest_of_channel(alarms_, key.first);
 }
 
 void JournalContents::take_action(const json& action) {

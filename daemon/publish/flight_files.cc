@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t flights_max = 10;  // files; older ones are removed
 
 // By the time of writing: of one second the names do not sort by time.
-void keep_newest(const fs::path& directory, const std::string& machine) {
+void keep_newest_files(const fs::path& directory, const std::string& machine) {
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(directory, error)) {
@@ -86,7 +86,7 @@ void FlightFiles::write_now(const recording::FlightRecording& recording) const {
     fs::remove(file, error);
     return fail(written.error().text);
   }
-  keep_newest(directory_, machine_);
+  keep_newest_files(directory_, machine_);
   spdlog::warn("a fault has stopped the machine: the last seconds are in {}", file.string());
   calls_.written(file);
 }

@@ -106,7 +106,7 @@ lang::ActiveCodes codes_in_effect(const lang::Meaning& meaning,
 
 namespace {
 
-json by_word(const channels::ChannelConfig& config, const lang::AxisValues& values) {
+json values_by_word(const channels::ChannelConfig& config, const lang::AxisValues& values) {
   json words = json::object();
   for (std::size_t k = 0; k < config.words.size(); ++k) words[config.words[k]] = values[k];
   return words;
@@ -122,11 +122,11 @@ lang::AxisValues point_W(const channels::ChannelOutput& output) {
 
 json position_of(const channels::ChannelConfig& config, const channels::ChannelOutput& output,
                  const lang::Meaning& meaning) {
-  return by_word(config, lang::words_at(meaning, point_W(output)));
+  return values_by_word(config, lang::words_at(meaning, point_W(output)));
 }
 
 json point_of(const channels::ChannelConfig& config, const channels::ChannelOutput& output) {
-  return by_word(config, point_W(output));
+  return values_by_word(config, point_W(output));
 }
 
 json diameters_of(const channels::ChannelConfig& config, const lang::Meaning& meaning) {
@@ -143,7 +143,7 @@ json distance_to_go(const channels::ChannelConfig& config, const channels::Chann
   lang::AxisValues way_W{};
   for (std::size_t k = 0; k < way_W.size() && situation.end_W; ++k)
     way_W[k] = (*situation.end_W)[k] - output.point_W[k].value;
-  return by_word(config, lang::words_of_way(situation.meaning, way_W));
+  return values_by_word(config, lang::words_of_way(situation.meaning, way_W));
 }
 
 }  // namespace stanok::daemon

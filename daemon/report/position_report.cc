@@ -57,7 +57,7 @@ Named with_active_code(const std::string& what, const Shown& shown, lang::Group 
   return with_code(what, lang::code_text('G', shown.meaning.codes[group]));
 }
 
-Named name_of(WordTerm term, const Shown& shown, std::size_t axis) {
+Named named_term(WordTerm term, const Shown& shown, std::size_t axis) {
   const std::string offset = channels::work_offset_name(shown.meaning.terms->frame.work_offset);
   const std::string& name = shown.machine.axes[shown.channel.axes[axis]].name;
   switch (term) {
@@ -110,7 +110,7 @@ json terms_of(const std::vector<WordStep>& steps, const Shown& shown, std::size_
   for (const WordStep& step : steps) {
     const bool is_first = step.term == WordTerm::machine;
     if (!is_first && std::abs(step.amount[axis]) <= noise) continue;
-    const Named named = name_of(step.term, shown, axis);
+    const Named named = named_term(step.term, shown, axis);
     terms.push_back({{"term", runtime::name_of(step.term)},
                      {"name", named.name},
                      {"of", named.of},

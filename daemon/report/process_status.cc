@@ -55,7 +55,7 @@ constexpr auto force_state_names = enum_names<motion::ForceState>({
 });
 
 // JSON has no word for "not a number".
-json number_or_null(double value) {
+json finite_or_null(double value) {
   return std::isfinite(value) ? json(value) : json(nullptr);
 }
 
@@ -65,7 +65,7 @@ json force_control(const channels::ProcessOutput& process) {
   return {{"state", force_state_names[force.state]},
           {"force_set_n", force.force_now_n},
           {"force_n", force.force_n},
-          {"power_w", number_or_null(force.power_w)},
+          {"power_w", finite_or_null(force.power_w)},
           {"power_idle_w", force.power_idle_w},
           {"idle_captures", force.captures},
           {"radius_mm", force.radius_mm},

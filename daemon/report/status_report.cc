@@ -170,8 +170,9 @@ bool is_at_rest(const channels::CycleOutput& output) {
 }
 
 // The program of the current run, or of the last one; the one that is loaded else.
-std::string program_of(const ChannelOutput& output, const std::vector<channels::RunReport>& runs,
-                       const std::string& loaded) {
+std::string program_of_channel(const ChannelOutput& output,
+                               const std::vector<channels::RunReport>& runs,
+                               const std::string& loaded) {
   if (!output.running && !loaded.empty()) return loaded;
   const auto run = std::find_if(runs.rbegin(), runs.rend(), [&](const auto& report) {
     return report.channel == output.id && report.run == output.run;
@@ -366,7 +367,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"held_by", text_or_null(std::string(channels::text_of(output.hold_cause)))},
           {"controlled_by", text_or_null(notes.controlled_by)},
           {"alarm", std::move(alarm)},
-          {"program", text_or_null(program_of(output, books.runs, notes.program))},
+          {"program", text_or_null(program_of_channel(output, books.runs, notes.program))},
           {"run", output.run},
           {"file", text_or_null(file_of(output, books.runs))},
           {"line", output.tag.line},

@@ -19,7 +19,7 @@ namespace {
 constexpr ::mode_t not_for_others = 0117;  // sockets are born with 0777 less this: 0660
 constexpr int waiting_connections_max = 128;
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+[[noreturn]] void throw_socket_error(const std::filesystem::path& path, int error) {
   throw SocketError(path.string() + ": " + system_error_text(error));
 }
 
@@ -38,7 +38,7 @@ sockaddr_un address_of(const std::filesystem::path& path) {
 
 int new_socket(const std::filesystem::path& path) {
   const int descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (descriptor < 0) fail(path, errno);
+  if (descriptor < 0) throw_socket_error(path, errno);
   return descriptor;
 }
 
@@ -54,7 +54,7 @@ void clear_the_way(const std::filesystem::path& path, const sockaddr_un& address
   ::close(probe);
   if (error != ECONNREFUSED)
     throw SocketError(path.string() + ": another daemon is listening there");
-  if (::unlink(path.c_str()) != 0) fail(path, errno);
+  if (::unlink(path.c_str()) != 0) throw_socket_error(path, errno);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ void ListeningSocket::bind_and_listen() {
       ::lstat(path_.c_str(), &status) != 0) {
     const int reason = is_bound ? errno : bind_error;
     ::close(std::exchange(descriptor_, -1));
-    fail(path_, reason);
+    throw_socket_error(path_, reason);
   }
   inode_ = status.st_ino;
 }

@@ -19,7 +19,7 @@ std::string wall_time(double unix_s) {
   return fmt::format("{:%Y-%m-%d %H:%M:%S}", local);
 }
 
-std::string place_of(const JournalContents::CutOff& cut) {
+std::string place_of_end(const JournalContents::CutOff& cut) {
   return cut.line > 0 ? cut.file + ":" + std::to_string(cut.line) : cut.file;
 }
 
@@ -44,7 +44,7 @@ void MachineHistory::close(const JournalContents::CutOff& cut) {
   alarm.channel = cut.run.channel;
   alarm.at = unix_time_s();
   alarm.diagnostic.code = "W941";
-  alarm.diagnostic.message = "the control ended in " + place_of(cut) + " at " +
+  alarm.diagnostic.message = "the control ended in " + place_of_end(cut) + " at " +
                              wall_time(cut.run.ended_at) + " without being shut down";
   alarm.diagnostic.place.file = cut.file;
   alarm.diagnostic.place.line = cut.line;

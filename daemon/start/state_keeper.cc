@@ -9,7 +9,7 @@
 namespace stanok::daemon {
 namespace {
 
-constexpr auto period = std::chrono::milliseconds(500);
+constexpr auto keeping_period = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -24,7 +24,7 @@ StateKeeper::StateKeeper(std::filesystem::path file, const DurableKind& kind, Sn
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
       save_for(std::exchange(waiting_, {}));
-      wake_.wait_for(lock, stop, period, [this] { return !waiting_.empty(); });
+      wake_.wait_for(lock, stop, keeping_period, [this] { return !waiting_.empty(); });
     }
     save_for(std::exchange(waiting_, {}));
   });

@@ -90,7 +90,7 @@ struct FiguresRequest {
   [[nodiscard]] int spindle() const { return parameters.value("spindle", 1) - 1; }
 };
 
-CommandResult turning(const FiguresRequest& request) {
+CommandResult turning_figures(const FiguresRequest& request) {
   const auto stock = stock_of(request.parameters.value("stock", std::string()));
   if (!stock) {
     return nothing_told(
@@ -114,7 +114,7 @@ CommandResult turning(const FiguresRequest& request) {
               {"text", jobs::process_section(*fit, rev_per_min, coefficient_n)}};
 }
 
-CommandResult grinding(const FiguresRequest& request) {
+CommandResult grinding_figures(const FiguresRequest& request) {
   const std::string name = request.parameters.value("program", std::string());
   const auto file = request.folder.read(name);
   if (!file) return Unexpected<Failure>(file.error());
@@ -147,7 +147,7 @@ CommandResult grinding(const FiguresRequest& request) {
               {"text", jobs::with_figures(file->text, *fit)}};
 }
 
-CommandResult milling(const FiguresRequest& request) {
+CommandResult milling_figures(const FiguresRequest& request) {
   const std::string name = request.parameters.value("program", std::string());
   const auto file = request.folder.read(name);
   if (!file) return Unexpected<Failure>(file.error());
@@ -176,13 +176,13 @@ CommandResult milling(const FiguresRequest& request) {
               {"text", jobs::with_figures(file->text, jobs::cut_forces(*fit, efficiency))}};
 }
 
-CommandResult told(const FiguresRequest& request) {
+CommandResult figures_told(const FiguresRequest& request) {
   if (const auto failure = too_large(request.log)) return Unexpected<Failure>(*failure);
   try {
     const auto kind = request.parameters.value("kind", std::string("turning"));
-    auto answer = kind == "grinding"  ? grinding(request)
-                  : kind == "milling" ? milling(request)
-                                      : turning(request);
+    auto answer = kind == "grinding"  ? grinding_figures(request)
+                  : kind == "milling" ? milling_figures(request)
+                                      : turning_figures(request);
     if (answer) {
       (*answer)["file"] = request.log.filename().string();
       (*answer)["kind"] = kind;
@@ -203,7 +203,7 @@ BackgroundWork::Work figures_from(const fs::path& log, int channel, const Progra
                                    .folder = folder}](const std::stop_token& stop) {
     FiguresRequest bounded = request;
     bounded.bounds = {.rows_max = rows_read_max, .gives_up = gives_up_when(stop)};
-    return told(bounded);
+    return figures_told(bounded);
   };
 }
 

@@ -67,7 +67,7 @@ json answer_of(const ForecastJob& job, const Wanted& wanted, const Forecast& for
   return answer;
 }
 
-CommandResult turning(ForecastJob job, const Wanted& wanted) {
+CommandResult turning_forces(ForecastJob job, const Wanted& wanted) {
   job.places_max = turning_places_max;
   const jobs::ForecastRequest request{.job = std::move(job),
                                       .force_n = wanted.force_n,
@@ -83,7 +83,7 @@ CommandResult turning(ForecastJob job, const Wanted& wanted) {
   return answer;
 }
 
-CommandResult milling(ForecastJob job, const Wanted& wanted, const CuttingProcess& cut) {
+CommandResult milling_forces(ForecastJob job, const Wanted& wanted, const CuttingProcess& cut) {
   job.places_max = milling_places_max;
   const jobs::MillingRequest request{.job = std::move(job),
                                      .cut = cut,
@@ -118,7 +118,7 @@ Expected<std::optional<CuttingProcess>, Failure> tool_of(const ProgramFolder& fo
   }
 }
 
-CommandResult told(const ProgramFolder& folder, const json& parameters, ForecastJob job) {
+CommandResult forces_told(const ProgramFolder& folder, const json& parameters, ForecastJob job) {
   const auto program = folder.read(job.program);
   if (!program) return Unexpected<Failure>(program.error());
   job.text = program->text;
@@ -129,8 +129,8 @@ CommandResult told(const ProgramFolder& folder, const json& parameters, Forecast
   const auto cut = tool_of(folder, parameters);
   if (!cut) return Unexpected<Failure>(cut.error());
   try {
-    return *cut ? milling(std::move(job), wanted(parameters), **cut)
-                : turning(std::move(job), wanted(parameters));
+    return *cut ? milling_forces(std::move(job), wanted(parameters), **cut)
+                : turning_forces(std::move(job), wanted(parameters));
   } catch (const std::runtime_error& error) {
     if (fault) return Unexpected<Failure>(failure_of_diagnostic(*fault));
     return nothing_told(error.what());
@@ -144,7 +144,7 @@ BackgroundWork::Work forces_along(ForecastJob job, const ProgramFolder& folder,
   return [folder, parameters, job = std::move(job)](const std::stop_token& stop) {
     ForecastJob bounded = job;
     bounded.gives_up = gives_up_when(stop);
-    return told(folder, parameters, std::move(bounded));
+    return forces_told(folder, parameters, std::move(bounded));
   };
 }
 

@@ -25,7 +25,7 @@ json depth_json(double depth_mm) {
   return std::isfinite(depth_mm) ? json(depth_mm) : json(nullptr);
 }
 
-const char* name_of(process::CutKind kind) {
+const char* name_of_cut(process::CutKind kind) {
   if (kind == process::CutKind::turning) return "turning";
   return kind == process::CutKind::grinding ? "grinding" : "milling";
 }
@@ -52,7 +52,7 @@ json study_json(const std::string& name, const process::LobesStudy& study) {
   json cuts = json::array();
   for (const process::PlannedCut& cut : study.cuts) cuts.push_back(cut_json(cut));
   return {{"program", name},
-          {"kind", name_of(study.kind)},
+          {"kind", name_of_cut(study.kind)},
           {"always_stable_mm", depth_json(study.always_mm)},
           {"limits", std::move(limits)},
           {"best", std::move(best)},

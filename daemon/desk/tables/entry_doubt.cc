@@ -26,7 +26,7 @@ std::string offset_of(const OffsetSet& command) {
   const std::string place(command.place.view());
   return place.substr(0, place.rfind(' '));
 }
-std::string axis_of(const OffsetSet& command) {
+std::string axis_of_place(const OffsetSet& command) {
   const std::string place(command.place.view());
   return place.substr(place.rfind(' ') + 1);
 }
@@ -35,12 +35,12 @@ int edge_of(const ToolSet& command) {
   return std::max(1, command.edge);
 }
 
-std::string name_of(const ToolSet& command) {
+std::string name_of_entry(const ToolSet& command) {
   std::string name = "tool " + std::to_string(command.tool);
   if (edge_of(command) > 1) name += ", edge " + std::to_string(edge_of(command));
   return name + ", " + std::string(command.key.view());
 }
-std::string name_of(const OffsetSet& command) {
+std::string name_of_entry(const OffsetSet& command) {
   return std::string(command.place.view());
 }
 
@@ -58,7 +58,7 @@ std::optional<double> value_at(const TablesConfig& tables, const ToolSet& place)
 std::optional<double> value_at(const TablesConfig& tables, const OffsetSet& place) {
   const auto row = tables.offsets.find(offset_of(place));
   if (row == tables.offsets.end()) return 0.0;
-  const auto value = row->second.find(axis_of(place));
+  const auto value = row->second.find(axis_of_place(place));
   return value == row->second.end() ? 0.0 : value->second;
 }
 
@@ -69,7 +69,7 @@ EntryBound bound_of(const MachineConfig& machine, const ToolSet& command) {
 }
 
 EntryBound bound_of(const MachineConfig& machine, const OffsetSet& command) {
-  const std::string name = axis_of(command);
+  const std::string name = axis_of_place(command);
   const auto axis = std::ranges::find(machine.axes, name, &channels::AxisConfig::name);
   if (axis == machine.axes.end() && name != rotation) return {};
   return EntryBounds(machine).of_offset(static_cast<int>(axis - machine.axes.begin()));
@@ -93,7 +93,7 @@ template <class Command>
 std::string doubt_of_value(const MachineConfig& machine, const Command& command) {
   const EntryBound bound = bound_of(machine, command);
   if (bound.holds(command.value)) return {};
-  return name_of(command) + ": " + std::string(reason_against(bound, command.value).view());
+  return name_of_entry(command) + ": " + std::string(reason_against(bound, command.value).view());
 }
 
 template <class Command>
@@ -103,9 +103,9 @@ std::string doubt_of_change(const MachineConfig& machine, const TablesConfig& no
   const double most = machine.entry_limits.change_max;
   if (!is_place(command) || before == 0.0 || std::abs(command.value - before) <= most) return {};
   const std::string unit(bound_of(machine, command).unit);
-  return name_of(command) + ": from " + number_text(before) + " to " + number_text(command.value) +
-         " " + unit + " is a change of more than " + number_text(most) + " " + unit +
-         " (change_max)";
+  return name_of_entry(command) + ": from " + number_text(before) + " to " +
+         number_text(command.value) + " " + unit + " is a change of more than " +
+         number_text(most) + " " + unit + " (change_max)";
 }
 
 template <class Command>

@@ -18,7 +18,7 @@ using protocol::Failure;
 using protocol::FailureKind;
 namespace commands = channels::commands;
 
-Failure refused(const char* code, std::string text, int channel) {
+Failure refused_touch(const char* code, std::string text, int channel) {
   return {FailureKind::refused, code, std::move(text), channel, {}};
 }
 
@@ -29,9 +29,9 @@ std::string three_decimals(double value) {
 }
 
 // By its word in programs, or by its name in the machine.
-std::optional<std::size_t> axis_of(const channels::MachineConfig& machine,
-                                   const channels::ChannelConfig& channel,
-                                   const std::string& name) {
+std::optional<std::size_t> axis_named(const channels::MachineConfig& machine,
+                                      const channels::ChannelConfig& channel,
+                                      const std::string& name) {
   for (std::size_t k = 0; k < channel.words.size(); ++k) {
     if (channel.words[k] == name) return k;
   }
@@ -77,20 +77,20 @@ Expected<TouchDesk::Wanted, Failure> TouchDesk::wanted(const json& parameters, i
   const channels::ChannelOutput output = output_of(machine_.newest_output(), channel);
   const channels::SituationReport situation = machine_.situation(output);
   if (parameters.value("situation", situation.number) != situation.number) {
-    return Unexpected<Failure>(refused(
+    return Unexpected<Failure>(refused_touch(
         "E6090", "codes, tool or tables have changed since then: check them again", channel));
   }
   const auto name = parameters["axis"].get<std::string>();
-  const auto axis = axis_of(machine, config, name);
+  const auto axis = axis_named(machine, config, name);
   if (!axis)
-    return Unexpected<Failure>(refused("E6052", "the channel has no axis " + name, channel));
+    return Unexpected<Failure>(refused_touch("E6052", "the channel has no axis " + name, channel));
   const std::string as = parameters.value("as", "");
   if (as.empty() && situation.meaning.is_diameter(*axis)) {
-    return Unexpected<Failure>(
-        refused("E6091", name + " is shown as a diameter: add as radius or as diameter", channel));
+    return Unexpected<Failure>(refused_touch(
+        "E6091", name + " is shown as a diameter: add as radius or as diameter", channel));
   }
   const std::string obstacle = obstacle_of(situation.meaning, *axis);
-  if (!obstacle.empty()) return Unexpected<Failure>(refused("E6092", obstacle, channel));
+  if (!obstacle.empty()) return Unexpected<Failure>(refused_touch("E6092", obstacle, channel));
   Wanted wanted;
   wanted.situation = situation.number;
   wanted.axis = *axis;
@@ -105,14 +105,14 @@ TouchDesk::Refusal TouchDesk::doubt(const json& parameters, const channels::Oper
   if (parameters.value("confirmed", 0) != 0) return std::nullopt;
   const channels::MachineConfig& machine = machine_.file().machine;
   const std::string reason = doubt_of_value(machine, entry);
-  if (!reason.empty()) return refused("E6093", reason + ": confirm the value", channel);
+  if (!reason.empty()) return refused_touch("E6093", reason + ": confirm the value", channel);
   const double most = machine.entry_limits.touch_off_max;
   if (std::abs(wanted.expected) <= most) return std::nullopt;
-  return refused("E6093",
-                 "the value would change by " + three_decimals(wanted.expected) + " " +
-                     wanted.unit + ", which is more than " + three_decimals(most) + " " +
-                     wanted.unit + ": confirm the change",
-                 channel);
+  return refused_touch("E6093",
+                       "the value would change by " + three_decimals(wanted.expected) + " " +
+                           wanted.unit + ", which is more than " + three_decimals(most) + " " +
+                           wanted.unit + ": confirm the change",
+                       channel);
 }
 
 std::optional<double> TouchDesk::value_of(const channels::OperatorCommand& place) const {
@@ -151,16 +151,17 @@ void TouchDesk::touch_tool(const json& parameters, int channel, Answer answer) {
   const int edge = parameters.value("edge", 1);
   const std::string key = key_of(terms, found->axis);
   if (key.empty())
-    return answer(
-        Unexpected<Failure>(refused("E6092", "a tool has no length along this axis", channel)));
+    return answer(Unexpected<Failure>(
+        refused_touch("E6092", "a tool has no length along this axis", channel)));
   if (!touches_what_is_in_force(terms.length, tool, edge)) {
-    return answer(Unexpected<Failure>(refused(
+    return answer(Unexpected<Failure>(refused_touch(
         "E6092", "the active length is not that of tool " + std::to_string(tool), channel)));
   }
   const commands::ToolSet back{.key = ShortText(key), .tool = tool, .edge = edge};
   const auto old = value_of(back);
   if (!old)
-    return answer(Unexpected<Failure>(refused("E5021", "there is no such tool or edge", channel)));
+    return answer(
+        Unexpected<Failure>(refused_touch("E5021", "there is no such tool or edge", channel)));
   const bool counts = terms.length.row == lang::ToolLength::Row::added;
   if (!counts) found->expected -= *old;
   commands::ToolSet entry = back;
@@ -199,10 +200,10 @@ void TouchDesk::undo(const json& parameters, Answer answer) {
   const auto touch = std::ranges::find_if(
       touches_, [&](const Touch& one) { return one.number == parameters["undo"]; });
   if (touch == touches_.end())
-    return answer(Unexpected<Failure>(refused("E6094", "no touch-off has this number", 0)));
+    return answer(Unexpected<Failure>(refused_touch("E6094", "no touch-off has this number", 0)));
   if (value_of(touch->back) != touch->after) {
-    return answer(
-        Unexpected<Failure>(refused("E6094", "the value has changed since it was touched off", 0)));
+    return answer(Unexpected<Failure>(
+        refused_touch("E6094", "the value has changed since it was touched off", 0)));
   }
   channels::OperatorEvent event;
   event.command = touch->back;
