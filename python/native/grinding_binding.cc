@@ -32,7 +32,7 @@ using process::InfeedLaw;
 // Thrown through what computes, when the interpreter was interrupted.
 struct Interrupted {};
 
-GrindInput value_or_raise(Expected<GrindInput, Diagnostics> input) {
+GrindInput input_or_raise(Expected<GrindInput, Diagnostics> input) {
   if (input) return std::move(*input);
   raise("GrindingError", faults_json(input.error()));
 }
@@ -86,7 +86,7 @@ py::tuple report_of(const GrindInput& input, const process::RobustDesign& robust
 }
 
 py::tuple design(const GrindOptions& options, const process::Spread& spread) {
-  GrindInput input = value_or_raise(client::grind_input(options));
+  GrindInput input = input_or_raise(client::grind_input(options));
   Interruption interruption;
   let_interrupt(input.request, interruption);
   auto robust = without_lock(interruption, [&] {
@@ -102,7 +102,7 @@ py::tuple design(const GrindOptions& options, const process::Spread& spread) {
 
 py::tuple verify(const GrindOptions& options) {
   constexpr double time_max_s = 3600.0;
-  GrindInput input = value_or_raise(client::control_input(options));
+  GrindInput input = input_or_raise(client::control_input(options));
   input.request.simulation.time_max_s = time_max_s;
   Interruption interruption;
   let_interrupt(input.request, interruption);
@@ -128,7 +128,7 @@ py::tuple study(const GrindOptions& options) {
   if (!part)
     throw std::invalid_argument("'" + options.part +
                                 "' is not a part K of N of a study, with K from 1 to N");
-  const GrindInput input = value_or_raise(client::grind_input(options));
+  const GrindInput input = input_or_raise(client::grind_input(options));
   Interruption interruption;
   const auto points = without_lock(interruption, [&] {
     return client::run_study(input.request, variations, *part,
@@ -141,7 +141,7 @@ py::tuple study(const GrindOptions& options) {
 }
 
 std::string program(const GrindOptions& options, const std::string& title) {
-  const GrindInput input = value_or_raise(client::control_input(options));
+  const GrindInput input = input_or_raise(client::control_input(options));
   const InfeedLaw& law = input.control->law;
   process::ProgramOptions chosen =
       client::program_options(input.request.process, law, options.machine);
@@ -172,7 +172,7 @@ InfeedLaw law_of(const Matrix& rows) {
 
 py::tuple plunge(const GrindOptions& options, const Matrix& rows,
                  process::InfeedTravel::AtEnd at_end) {
-  GrindInput input = value_or_raise(client::grind_input(options));
+  GrindInput input = input_or_raise(client::grind_input(options));
   const InfeedLaw law = law_of(rows);
   input.request.simulation.at_end = at_end;
   Interruption interruption;
@@ -194,7 +194,7 @@ py::tuple plunge(const GrindOptions& options, const Matrix& rows,
 
 // D(H), mm2/rad.
 py::array_t<double> boundary(const GrindOptions& options, const py::array_t<double>& allowance_mm) {
-  const GrindInput input = value_or_raise(client::grind_input(options));
+  const GrindInput input = input_or_raise(client::grind_input(options));
   const process::Boundary line(input.request.process);
   return py::vectorize([&line](double allowance) { return line.at(allowance); })(allowance_mm);
 }
