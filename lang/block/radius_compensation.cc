@@ -117,9 +117,9 @@ StageResult CompensationStage::take(Command& command) {
   }
   if (const auto* request = std::get_if<Request>(&command.payload)) {
     if (compensating() && request->kind != RequestKind::terminate) {
-      FaultOfCommand fault =
-          compensation_fault(command.origin, "E4140", "the program must wait here until the axes stop",
-                   "radius compensation is active");
+      FaultOfCommand fault = compensation_fault(command.origin, "E4140",
+                                                "the program must wait here until the axes stop",
+                                                "radius compensation is active");
       fault.fault.help.push_back("switch it off with `G40` first");
       return fault;
     }
@@ -219,8 +219,8 @@ StageResult CompensationStage::lead_in_by_arc(Command& command, Move& move) {
   const double outside = element.counter_clockwise ? -offset_ : offset_;
   if (!(radius > std::max(outside, 0.0) + same_point)) {
     return compensation_fault(command.origin, "E4143",
-                    "an arc cannot lead in to radius compensation from here",
-                    "begin with G0 or G1");
+                              "an arc cannot lead in to radius compensation from here",
+                              "begin with G0 or G1");
   }
   element.centre = start + way + radius * inwards;
   const PlanePoint outwards = (1.0 / radius) * (start - element.centre);
@@ -257,8 +257,9 @@ StageResult CompensationStage::continue_contour(Command& command, const Move& mo
     corner.end_before = corner.start_after;
   }
   if (corner.kind == CornerKind::none) {
-    return compensation_fault(command.origin, "E4146", "the tool cannot reach the corner before this block",
-                    "the offset paths do not meet");
+    return compensation_fault(command.origin, "E4146",
+                              "the tool cannot reach the corner before this block",
+                              "the offset paths do not meet");
   }
   const Held before = *held_;
   if (auto fault = emit_held(corner.end_before, corner.cut_before)) return fault;
@@ -309,8 +310,8 @@ StageResult CompensationStage::emit_held(PlanePoint end, double cut) {
   if (!held.lead_in && remaining < -same_point) {
     waiting_.clear();
     return compensation_fault(held.command.origin, "E4147",
-                    "the tool is too large: this element vanishes between its corners",
-                    "shorter than the corners need");
+                              "the tool is too large: this element vanishes between its corners",
+                              "shorter than the corners need");
   }
   const Move move = parallel_move(held, end, remaining);
   deviation_ = end + tip_ - held.element.end;

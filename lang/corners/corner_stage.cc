@@ -115,10 +115,10 @@ StageResult CornerStage::begin(Command& command) {
 StageResult CornerStage::go_on(Command& command) {
   const Move& move = std::get<Move>(command.payload);
   if (!is_element(move)) {
-    return corner_fault(
-        command, "E4151",
-        "after a " + name_of_corner(held_->request) + " a line at feed or an arc in the plane must follow",
-        "another motion");
+    return corner_fault(command, "E4151",
+                        "after a " + name_of_corner(held_->request) +
+                            " a line at feed or an arc in the plane must follow",
+                        "another motion");
   }
   if (ends_at_next_line(held_->request)) {
     if (auto fault = meet(command)) return fault;

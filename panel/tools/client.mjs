@@ -1,7 +1,7 @@
 // Writes src/generated/client.ts from openrpc.json: a type of each method's parameters and result, and
 // the role that each method wants. A member that the daemon renames is a compile error of the page.
 //
-// openrpc.json is written by a test of the project: see tests/protocol/discovery_test.cc.
+// openrpc.json is written by a test of the project: see tests/protocol/contract/discovery_test.cc.
 import { readFileSync } from 'node:fs';
 import { write } from './written.mjs';
 

@@ -42,7 +42,7 @@ TEST(Discovery, ListsEveryMethodWithRoleAndParameters) {
 TEST(Discovery, IsWhatTheManualPrints) {
   const std::string path = stanok::testing::source_folder() + "/docs/reference/protocol.md";
   const std::string begin_mark =
-      "<!-- methods: written by a test, see tests/protocol/discovery_test.cc -->\n";
+      "<!-- methods: written by a test, see tests/protocol/contract/discovery_test.cc -->\n";
   const std::string end_mark = "<!-- end of methods -->";
   const std::string wanted = "\n" + methods_markdown() + "\n";
   std::string manual = file_text(path);
