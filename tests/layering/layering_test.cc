@@ -21,12 +21,6 @@
 namespace stanok::testing {
 namespace {
 
-const std::filesystem::path layering =
-    std::filesystem::path(stanok::testing::build_folder()) / "layering.txt";
-
-// Folders that hold programs of their own and may include any library; no library may include them.
-const std::set<std::string> leaves{"tests", "benchmarks", "programs"};
-
 // The file named by an #include with quotes, or by one with brackets that names a generated
 // message.
 std::optional<std::string> included_file(const std::string& line) {
@@ -37,18 +31,6 @@ std::optional<std::string> included_file(const std::string& line) {
     return match[1].str();
   }
   return std::nullopt;
-}
-
-// The library to which a file belongs: the innermost folder around it that is one, a module; or the
-// first part of its path.
-std::string library_of(const Layers& layers, const std::string& file) {
-  std::string folder = file.substr(0, file.find('/'));
-  if (folder == "stanok_messages") return "messages";
-  for (std::size_t end = file.rfind('/'); end != std::string::npos && end > 0;
-       end = file.rfind('/', end - 1)) {
-    if (layers.contains(file.substr(0, end))) return file.substr(0, end);
-  }
-  return folder;
 }
 
 bool has_modules(const Layers& layers, const std::string& folder) {
