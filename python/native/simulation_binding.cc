@@ -7,8 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "client/offline/simulate/operator_events_file.h"
-#include "client/offline/simulate/sensor_file.h"
 #include "protocol/contract/json_text.h"
 #include "protocol/contract/version.h"
 #include "python/native/bindings.h"
@@ -19,6 +17,8 @@
 #include "recording/format/encode.h"
 #include "runtime/log_observer.h"
 #include "runtime/simulation.h"
+#include "runtime/simulation_files/operator_events_file.h"
+#include "runtime/simulation_files/sensor_file.h"
 
 namespace stanok::python {
 namespace {
@@ -165,13 +165,13 @@ std::vector<runtime::TimedEvent> timed_events(const std::vector<std::string>& te
   std::vector<runtime::TimedEvent> events;
   for (const std::string& text : texts) {
     try {
-      events.push_back(client::operator_event(text));
+      events.push_back(runtime::timed_event(text));
     } catch (const std::exception& reason) {
       throw std::invalid_argument("event " + std::to_string(events.size()) + ", " + text + ": " +
                                   reason.what());
     }
   }
-  client::sort_events(events);
+  runtime::sort_events(events);
   return events;
 }
 
@@ -198,7 +198,7 @@ runtime::SimulationOptions options_of(const config::MachineFile& machine, const 
   options.schemes = job.schemes;
   options.events = timed_events(job.events);
   if (!job.sensors.empty())
-    options.sensors = client::read_sensor_file(job.sensors, machine.machine.spindles);
+    options.sensors = runtime::read_sensor_file(job.sensors, machine.machine.spindles);
   if (job.drives) options.drives = runtime::DriveChoice::simulated;
   options.until_s = job.until_s;
   return options;

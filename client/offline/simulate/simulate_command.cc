@@ -14,9 +14,7 @@
 #include "base/utf8.h"
 #include "client/offline/machine/job_options.h"
 #include "client/offline/simulate/measurement_observer.h"
-#include "client/offline/simulate/operator_events_file.h"
 #include "client/offline/simulate/part_pictures.h"
-#include "client/offline/simulate/sensor_file.h"
 #include "client/offline/simulate/simulate_library.h"
 #include "client/offline/simulate/speed_limits.h"
 #include "client/offline/workpiece/simulated_parts.h"
@@ -29,6 +27,8 @@
 #include "protocol/contract/version.h"
 #include "runtime/log_observer.h"
 #include "runtime/simulation.h"
+#include "runtime/simulation_files/operator_events_file.h"
+#include "runtime/simulation_files/sensor_file.h"
 #include "runtime/trace_writer.h"
 
 namespace stanok::client {
@@ -237,9 +237,9 @@ runtime::SimulationOptions simulation_options(const SimulateOptions& given) {
   options.schemes = scheme_choices(given.job);
   options.until_s = given.until_s;
   if (given.drives) options.drives = runtime::DriveChoice::simulated;
-  if (!given.events.empty()) options.events = read_operator_events(given.events);
+  if (!given.events.empty()) options.events = runtime::read_operator_events(given.events);
   if (!given.sensors.empty())
-    options.sensors = read_sensor_file(given.sensors, options.file.machine.spindles);
+    options.sensors = runtime::read_sensor_file(given.sensors, options.file.machine.spindles);
   take_programs(given, options);
   return options;
 }

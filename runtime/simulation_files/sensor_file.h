@@ -11,10 +11,10 @@
 #include "channels/contract/machine_config.h"
 #include "runtime/simulation.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 
 // Throws std::runtime_error "file:line:column: reason" on anything that is no such file.
-[[nodiscard]] std::vector<runtime::SensorRow> read_sensor_file(
+[[nodiscard]] std::vector<SensorRow> read_sensor_file(
     const std::string& path, const std::vector<channels::SpindleConfig>& spindles);
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,4 +1,4 @@
-#include "client/offline/simulate/sensor_file.h"
+#include "runtime/simulation_files/sensor_file.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "base/place.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 using channels::SpindleSensors;
@@ -102,14 +102,13 @@ std::vector<Column> head_of(const Line& line,
   return columns;
 }
 
-runtime::SensorRow row_of(const Line& line, const std::vector<Column>& columns,
-                          std::size_t spindles) {
+SensorRow row_of(const Line& line, const std::vector<Column>& columns, std::size_t spindles) {
   const std::vector<Cell> cells = line.cells();
   if (cells.size() != columns.size()) {
     line.refuse(cells.back(), std::to_string(cells.size()) + " values under " +
                                   std::to_string(columns.size()) + " columns");
   }
-  runtime::SensorRow row;
+  SensorRow row;
   row.spindles.resize(spindles);
   row.t = line.number_of(cells[0]);
   for (std::size_t k = 1; k < cells.size(); ++k) {
@@ -121,11 +120,11 @@ runtime::SensorRow row_of(const Line& line, const std::vector<Column>& columns,
 
 }  // namespace
 
-std::vector<runtime::SensorRow> read_sensor_file(
-    const std::string& path, const std::vector<channels::SpindleConfig>& spindles) {
+std::vector<SensorRow> read_sensor_file(const std::string& path,
+                                        const std::vector<channels::SpindleConfig>& spindles) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
-  std::vector<runtime::SensorRow> rows;
+  std::vector<SensorRow> rows;
   std::vector<Column> columns;
   std::string text;
   for (int number = 1; std::getline(file, text); ++number) {
@@ -144,4 +143,4 @@ std::vector<runtime::SensorRow> read_sensor_file(
   return rows;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

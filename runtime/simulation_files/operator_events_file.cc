@@ -1,4 +1,4 @@
-#include "client/offline/simulate/operator_events_file.h"
+#include "runtime/simulation_files/operator_events_file.h"
 
 #include <algorithm>
 #include <fstream>
@@ -9,12 +9,12 @@
 #include "protocol/contract/machine_request.h"
 #include "runtime/operator_request.h"
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 using nlohmann::json;
 
-runtime::TimedEvent timed_event(const json& line) {
+TimedEvent event_of_line(const json& line) {
   const std::string name = line.at("method").get<std::string>();
   const protocol::Method* method = protocol::find_method(name);
   if (method == nullptr || method->action.empty()) {
@@ -23,32 +23,32 @@ runtime::TimedEvent timed_event(const json& line) {
   const json parameters = line.contains("params") ? line.at("params") : json::object();
   const auto checked = protocol::checked_parameters(*method, parameters);
   if (!checked) throw std::invalid_argument(checked.error().message);
-  const auto event = runtime::operator_event(protocol::machine_request(*method, *checked));
+  const auto event = operator_event(protocol::machine_request(*method, *checked));
   if (!event) throw std::invalid_argument("'" + name + "' is not supported in a simulation");
   return {.cycle = line.at("cycle").get<std::int64_t>(), .event = *event};
 }
 
 }  // namespace
 
-runtime::TimedEvent operator_event(std::string_view text) {
+TimedEvent timed_event(std::string_view text) {
   const json event = protocol::json_from_text(text);
   if (event.is_discarded()) throw std::invalid_argument("the line is not a JSON text");
-  return timed_event(event);
+  return event_of_line(event);
 }
 
-void sort_events(std::vector<runtime::TimedEvent>& events) {
-  std::ranges::stable_sort(events, {}, &runtime::TimedEvent::cycle);
+void sort_events(std::vector<TimedEvent>& events) {
+  std::ranges::stable_sort(events, {}, &TimedEvent::cycle);
 }
 
-std::vector<runtime::TimedEvent> read_operator_events(const std::string& path) {
+std::vector<TimedEvent> read_operator_events(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
-  std::vector<runtime::TimedEvent> events;
+  std::vector<TimedEvent> events;
   std::string text;
   for (int line = 1; std::getline(file, text); ++line) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
-      events.push_back(operator_event(text));
+      events.push_back(timed_event(text));
     } catch (const std::exception& reason) {
       throw std::runtime_error(path + ":" + std::to_string(line) + ": " + reason.what());
     }
@@ -57,4 +57,4 @@ std::vector<runtime::TimedEvent> read_operator_events(const std::string& path) {
   return events;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::runtime

@@ -1,5 +1,5 @@
 // Files of sensor values: what they mean, and what is said about wrong ones.
-#include "client/offline/simulate/sensor_file.h"
+#include "runtime/simulation_files/sensor_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace stanok::client {
+namespace stanok::runtime {
 namespace {
 
 using ::testing::EndsWith;
@@ -26,7 +26,7 @@ class SensorFile : public ::testing::Test {
   }
   ~SensorFile() override { std::filesystem::remove(path_); }
 
-  std::vector<runtime::SensorRow> read(const std::string& text) {
+  std::vector<SensorRow> read(const std::string& text) {
     std::ofstream(path_) << text;
     return read_sensor_file(path_.string(), spindles_);
   }
@@ -76,4 +76,4 @@ TEST_F(SensorFile, MustBeReadable) {
 }
 
 }  // namespace
-}  // namespace stanok::client
+}  // namespace stanok::runtime
