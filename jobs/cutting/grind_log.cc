@@ -75,11 +75,7 @@ GrindLog read_grind_log(const std::filesystem::path& file, const GrindLogRequest
     if (first_cycle < 0) first_cycle = message->cycle;
     x_mm.push_back(message->tip_position[axis]);
   }
-  if (readings.is_empty()) {
-    throw std::runtime_error("the log has no power of spindle " +
-                             std::to_string(request.spindle + 1) +
-                             "; its drive has to report it (power_w)");
-  }
+  readings.check_any();
   const double touch_mm = request.touch_mm.value_or(request.allowance_mm);
   const Plunge plunge = first_plunge(x_mm, touch_mm, cycle_s);
   GrindLog log{.record = {.cycle_s = cycle_s,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "base/place.h"
@@ -39,6 +41,12 @@ void PowerReadings::take(const recording::LogEvent& event) {
     return;
   if (!is_number_of_a_cycle(record.cycle)) return;
   changes_.push_back({.cycle = record.cycle, .power_w = input->value});
+}
+
+void PowerReadings::check_any() const {
+  if (!changes_.empty()) return;
+  throw std::runtime_error("the log has no power of spindle " + std::to_string(spindle_ + 1) +
+                           "; its drive has to report it (power_w)");
 }
 
 std::vector<double> PowerReadings::given(std::int64_t first, std::size_t cycles) const {

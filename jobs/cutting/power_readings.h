@@ -26,7 +26,8 @@ class PowerReadings {
   explicit PowerReadings(int spindle) : spindle_(spindle) {}
 
   void take(const recording::LogEvent& event);
-  [[nodiscard]] bool is_empty() const { return changes_.empty(); }
+  // Throws std::runtime_error when the sensor has shown nothing at all.
+  void check_any() const;
   // What each of so many cycles from `first` on was given, also by polls that showed what the one
   // before had shown; not a number: nothing.
   [[nodiscard]] std::vector<double> given(std::int64_t first, std::size_t cycles) const;
