@@ -4,10 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "client/offline/check/law_report.h"
-#include "client/offline/interpret/record_text.h"
 #include "jobs/dry_run/dry_run.h"
+#include "jobs/dry_run/law_fields.h"
+#include "jobs/interpret/record_fields.h"
+#include "protocol/contract/fields_json.h"
 #include "protocol/contract/json_text.h"
+#include "protocol/contract/plane_json.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
 #include "python/native/interruption.h"
@@ -48,7 +50,8 @@ py::tuple interpret(const config::MachineFile& file, const Program& program) {
     result = run.run(
         program.name, jobs::Reachability::unchecked,
         [&](const lang::Command& command, const motion::PathBlock* block) {
-          client::append_record(records, command, block, run.channel().words);
+          protocol::append_json_line(records,
+                                     jobs::record_fields(command, block, run.channel().words));
         },
         [](const lang::Request&, const lang::Command&) {}, {.gives_up = interruption.asked()});
   }
@@ -72,15 +75,11 @@ py::tuple check(const config::MachineFile& file, const Program& program) {
                                  interruption.asked());
   }
   interruption.rethrow();
-  const auto faults = faults_json(result.diagnostics);
-  const auto estimate = client::estimate_json({{.file = program.name,
-                                                .diagnostics = {},
-                                                .blocks = result.blocks,
-                                                .laws = std::move(result.laws),
-                                                .planes = std::move(result.planes)}});
-  return py::make_tuple(py::str(protocol::json_text(faults)),
-                        py::str(protocol::json_text(estimate.at("feed_laws"))),
-                        py::str(protocol::json_text(estimate.at("tilted_planes"))), result.blocks);
+  const FieldList laws = field_list(result.laws, jobs::law_fields);
+  return py::make_tuple(py::str(protocol::json_text(faults_json(result.diagnostics))),
+                        py::str(protocol::json_text(protocol::list_json(laws))),
+                        py::str(protocol::json_text(protocol::plane_json(result.planes))),
+                        result.blocks);
 }
 
 }  // namespace

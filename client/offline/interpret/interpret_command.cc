@@ -6,12 +6,13 @@
 #include <cstdio>
 #include <ctime>
 
-#include "client/offline/interpret/record_text.h"
 #include "client/offline/machine/job_options.h"
 #include "client/terminal/diagnostic_output.h"
 #include "client/terminal/output.h"
 #include "config/files/machine_file.h"
 #include "jobs/dry_run/dry_run.h"
+#include "jobs/interpret/record_fields.h"
+#include "protocol/contract/fields_json.h"
 #include "runtime/program_files.h"
 
 namespace stanok::client {
@@ -61,7 +62,7 @@ int run(const InterpretOptions& options) {
     text.clear();
   };
   const auto print_record = [&](const lang::Command& command, const motion::PathBlock* block) {
-    append_record(text, command, block, dry_run.channel().words);
+    protocol::append_json_line(text, jobs::record_fields(command, block, dry_run.channel().words));
     if (text.size() > write_threshold) write_out();
   };
   const auto nothing = [](const lang::Command&, const motion::PathBlock*) {};
@@ -71,7 +72,9 @@ int run(const InterpretOptions& options) {
       options.searches()
           ? dry_run.run_from(program.name, beginning_of(options), record,
                              [&](const lang::SearchState& state, const lang::Origin& target) {
-                               append_search(text, state, target, dry_run.channel().words);
+                               protocol::append_json_line(
+                                   text,
+                                   jobs::search_fields(state, target, dry_run.channel().words));
                              })
           : dry_run.run(program.name, jobs::Reachability::unchecked, record,
                         [](const lang::Request&, const lang::Command&) {});

@@ -1,11 +1,13 @@
 // Records of `stanok interpret`: what a feed law looks like there.
-#include "client/offline/interpret/record_text.h"
+#include "jobs/interpret/record_fields.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-namespace stanok::client {
+#include "protocol/contract/fields_json.h"
+
+namespace stanok::jobs {
 namespace {
 
 using nlohmann::json;
@@ -14,12 +16,10 @@ json record_of(const lang::FeedLaw& law, bool of_next_block) {
   lang::Command command;
   command.origin.line = 12;
   command.payload = lang::FeedLawChange{law, of_next_block};
-  std::string text;
-  append_record(text, command, nullptr, {"X", "Z"});
-  return json::parse(text);
+  return protocol::fields_json(record_fields(command, nullptr, {"X", "Z"}));
 }
 
-TEST(RecordText, OfALinearLawHasItsStepsWithSign) {
+TEST(RecordFields, OfALinearLawHasItsStepsWithSign) {
   lang::FeedLaw law;
   law.kind = lang::FeedLaw::Kind::linear;
   law.feed_first = 60.0;
@@ -31,7 +31,7 @@ TEST(RecordText, OfALinearLawHasItsStepsWithSign) {
                 "path_step":0.05}})"));
 }
 
-TEST(RecordText, OfALawOfSpeedsSaysWhereTheyEnd) {
+TEST(RecordFields, OfALawOfSpeedsSaysWhereTheyEnd) {
   lang::FeedLaw law;
   law.kind = lang::FeedLaw::Kind::linear;
   law.feed_mode = lang::FeedMode::per_revolution;
@@ -47,7 +47,7 @@ TEST(RecordText, OfALawOfSpeedsSaysWhereTheyEnd) {
     "speed_last":150.0})"));
 }
 
-TEST(RecordText, OfTheOtherLawsHasWhatTheyHave) {
+TEST(RecordFields, OfTheOtherLawsHasWhatTheyHave) {
   lang::FeedLaw law;
   EXPECT_EQ(record_of(law, false)["feed_law"], json::parse(R"({"law":"off"})"));
   law.kind = lang::FeedLaw::Kind::modulated;
@@ -73,17 +73,15 @@ TEST(RecordText, OfTheOtherLawsHasWhatTheyHave) {
     "points":[{"path":0.0,"feed":60.0},{"path":10.0,"feed":80.0}]})"));
 }
 
-TEST(RecordText, OfASearchHasTheModalLaw) {
+TEST(RecordFields, OfASearchHasTheModalLaw) {
   lang::SearchState state;
   state.calculated = true;
   state.feed_law.kind = lang::FeedLaw::Kind::interrupted;
   state.feed_law.stand_mm = 0.5;
   state.feed_law.cut_mm = 2.0;
-  std::string text;
-  append_search(text, state, {}, {"X", "Z"});
-  EXPECT_EQ(json::parse(text)["feed_law"],
+  EXPECT_EQ(json(protocol::fields_json(search_fields(state, {}, {"X", "Z"})))["feed_law"],
             json::parse(R"({"law":"interrupted","stand":0.5,"cut":2.0})"));
 }
 
 }  // namespace
-}  // namespace stanok::client
+}  // namespace stanok::jobs
