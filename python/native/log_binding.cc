@@ -8,8 +8,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "client/offline/log/log_text.h"
-#include "client/offline/log/situation_text.h"
+#include "jobs/logs/log_fields.h"
+#include "jobs/logs/situation_fields.h"
+#include "protocol/contract/fields_json.h"
 #include "protocol/contract/json_text.h"
 #include "python/native/bindings.h"
 #include "python/native/faults.h"
@@ -61,7 +62,8 @@ ordered_json axes_json(const Log& log, int channel) {
 
 // As `stanok log info --json`, and the axes of each channel with setpoints.
 std::string contents_text(const Log& log) {
-  ordered_json json = {{"info", client::to_json(log.contents)}, {"axes", ordered_json::object()}};
+  ordered_json json = {{"info", protocol::fields_json(jobs::log_fields(log.contents))},
+                       {"axes", ordered_json::object()}};
   for (const auto& [channel, name] : log.contents.setpoint_channels)
     json["axes"][std::to_string(channel)] = axes_json(log, channel);
   json["sound"] = log.contents.is_sound();
@@ -157,7 +159,7 @@ class SituationCursor {
     while (static_cast<std::int64_t>(list.size()) < count) {
       const auto situation = situations_.next();
       if (!situation) break;
-      list.push_back(client::situation_json(*situation, log_->contents));
+      list.push_back(protocol::fields_json(jobs::situation_fields(*situation, log_->contents)));
     }
     return protocol::json_text(list);
   }

@@ -9,12 +9,14 @@
 #include <stdexcept>
 
 #include "client/offline/log/log_text.h"
-#include "client/offline/log/situation_text.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
 #include "client/terminal/noun_command.h"
 #include "client/terminal/output.h"
 #include "client/terminal/text_table.h"
+#include "jobs/logs/log_fields.h"
+#include "jobs/logs/situation_fields.h"
+#include "protocol/contract/fields_json.h"
 #include "protocol/contract/json_text.h"
 #include "recording/plot/log_plot.h"
 #include "recording/read/log_contents.h"
@@ -73,7 +75,7 @@ void warn_when_damaged(const recording::LogContents& contents, const std::string
 int print_contents(const LogOptions& options) {
   const auto contents = value_or_throw(recording::read_contents(options.file));
   if (options.json) {
-    write_json(to_json(contents));
+    write_json(protocol::fields_json(jobs::log_fields(contents)));
   } else {
     write_data(text_of(contents, Terminal(STDOUT_FILENO)));
   }
@@ -87,7 +89,7 @@ int print_situations(const LogOptions& options) {
   auto walk = value_or_throw(recording::SituationWalk::open(options.file, options.channel));
   if (options.json) {
     while (const auto situation = walk.next())
-      write_data(protocol::json_text(situation_json(*situation, contents)) + "\n");
+      write_json(protocol::fields_json(jobs::situation_fields(*situation, contents)));
     return 0;
   }
   TextTable table({"t [s]", "channel", "situation", "offset", "tool", "length [mm]", "codes"});

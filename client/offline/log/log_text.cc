@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "base/enum_names.h"
+#include <cmath>
+
+#include "channels/stores/live_tables.h"
 #include "client/terminal/text_table.h"
+#include "recording/format/encode.h"
 
 namespace stanok::client {
 namespace {
@@ -52,23 +55,6 @@ std::string damage_text(const Damage& damage) {
   return {};
 }
 
-constexpr auto damage_names = enum_names<DamageKind>({
-    {DamageKind::cut, "cut"},
-    {DamageKind::unreadable, "unreadable"},
-    {DamageKind::altered, "altered"},
-});
-
-constexpr auto log_end_names = enum_names<recording::LogEnd>({
-    {recording::LogEnd::complete, "complete"},
-    {recording::LogEnd::next_piece, "next_piece"},
-    {recording::LogEnd::goes_on, "missing"},
-});
-
-// "unknown": of a log without checks.
-std::string_view name_of_end(const recording::LogCoverage& coverage) {
-  return coverage.has_checks ? log_end_names[coverage.end] : "unknown";
-}
-
 std::string end_text(const recording::LogCoverage& coverage) {
   if (!coverage.has_checks)
     return "recorded without check sums, as by stanok 0.1.0: changed bytes are not noticed\n";
@@ -104,6 +90,17 @@ std::string fault_text(const LogContents& contents, const Terminal& terminal) {
   return text + end_text(contents.coverage);
 }
 
+std::string length_text(const situation_t& situation) {
+  const double length = std::hypot(situation.length[0], situation.length[1], situation.length[2]);
+  if (length == 0.0 && situation.length_tool == 0) return "-";
+  const auto& along = situation.length;
+  const bool is_along_z = along[0] == 0.0 && along[1] == 0.0;
+  const std::string value = is_along_z
+                                ? fmt::format("{:.3f}", along[2])
+                                : fmt::format("{:.3f} {:.3f} {:.3f}", along[0], along[1], along[2]);
+  return situation.length_tool == 0 ? value : fmt::format("H{} {}", situation.length_tool, value);
+}
+
 }  // namespace
 
 std::string text_of(const LogContents& contents, const Terminal& terminal) {
@@ -122,46 +119,15 @@ std::string text_of(const LogContents& contents, const Terminal& terminal) {
   return text + table.text(terminal) + "\n" + fault_text(contents, terminal);
 }
 
-nlohmann::ordered_json to_json(const LogContents& contents) {
-  nlohmann::ordered_json json;
-  json["ok"] = contents.is_sound() && !contents.is_cut();
-  json["covered"] = contents.coverage.has_checks;
-  json["end"] = name_of_end(contents.coverage);
-  json["events"] = contents.events;
-  json["bytes"] = contents.bytes;
-  json["utime_first"] = contents.utime_first;
-  json["utime_last"] = contents.utime_last;
-  json["machine"] = nullptr;
-  if (const auto& log = contents.description) {
-    json["machine"] = log->machine;
-    json["cycle_us"] = log->cycle_us;
-    json["version"] = log->version;
-    json["build"] = log->build;
-    json["libm"] = log->libm;
-    json["config_hash"] = fmt::format("{:016x}", log->config_hash);
-    json["axes"] = nlohmann::ordered_json::object();
-    for (const auto& channel : log->channels) {
-      auto& names = json["axes"][std::to_string(channel.id)] = nlohmann::ordered_json::array();
-      for (const auto& axis : channel.axes) names.push_back(axis.name);
-    }
-  }
-  json["channels"] = nlohmann::ordered_json::array();
-  for (const auto& [name, channel] : contents.channels) {
-    json["channels"].push_back({{"name", name},
-                                {"type", channel.type},
-                                {"messages", channel.messages},
-                                {"bytes", channel.bytes},
-                                {"missing", channel.missing},
-                                {"undecodable", channel.undecodable},
-                                {"utime_first", channel.utime_first},
-                                {"utime_last", channel.utime_last}});
-  }
-  json["damage"] = nlohmann::ordered_json::array();
-  for (const Damage& damage : contents.damage) {
-    json["damage"].push_back(
-        {{"kind", damage_names[damage.kind]}, {"offset", damage.offset}, {"bytes", damage.bytes}});
-  }
-  return json;
+std::vector<std::string> situation_row(const situation_t& situation,
+                                       const recording::LogContents& contents) {
+  return {fmt::format("{:.3f}", seconds_between(contents.utime_first, situation.utime)),
+          std::to_string(situation.channel),
+          std::to_string(situation.number),
+          channels::work_offset_name(situation.work_offset_number),
+          situation.tool == 0 ? "-" : fmt::format("T{}.{}", situation.tool, situation.edge),
+          length_text(situation),
+          std::string(recording::text_of(situation.codes))};
 }
 
 }  // namespace stanok::client
