@@ -1,6 +1,5 @@
 // Cuts for Python: what their logs tell (`stanok process identify`), and up to which depth they do
 // not chatter (`stanok process lobes`).
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -11,37 +10,29 @@
 #include <stdexcept>
 #include <utility>
 
-#include "client/offline/process/identify/grind_fit_report.h"
-#include "client/offline/process/identify/identify_report.h"
-#include "client/offline/process/identify/milling_fit_report.h"
-#include "client/offline/process/lobes_report.h"
 #include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
-#include "jobs/cutting/found_figures.h"
+#include "jobs/cutting/identification.h"
+#include "jobs/lobes/lobes_fields.h"
+#include "protocol/contract/fields_json.h"
 #include "protocol/contract/json_text.h"
 #include "python/native/bindings.h"
+#include "python/native/column_arrays.h"
 
 namespace stanok::python {
 namespace {
 
 namespace py = pybind11;
 
-py::array_t<double> array_of_values(const std::vector<double>& values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+py::str report_text(const Fields& fields) {
+  return py::str(protocol::json_text(protocol::fields_json(fields)));
 }
 
-template <class Row>
-py::array_t<double> column_of(const std::vector<Row>& rows, double Row::* field) {
-  py::array_t<double> array(static_cast<py::ssize_t>(rows.size()));
-  double* next = array.mutable_data();
-  for (const Row& row : rows) *next++ = row.*field;
-  return array;
-}
-
-template <class Value>
-Value fit_or_throw(Expected<Value, std::string> fit) {
-  if (!fit) throw std::runtime_error(fit.error());
-  return std::move(*fit);
+// Identifies while other threads of Python go on.
+template <class Request>
+auto identified(const Request& request) {
+  const py::gil_scoped_release others_run;
+  return jobs::identify(request);
 }
 
 py::tuple identify_turning(const std::filesystem::path& file,
@@ -54,26 +45,13 @@ py::tuple identify_turning(const std::filesystem::path& file,
       throw std::invalid_argument("stock must be pairs of Z and radius in mm with falling Z");
     steps.push_back({.z_mm = z_mm, .radius_mm = radius_mm});
   }
-  if (steps.empty())
-    throw std::invalid_argument("stock is empty; give pairs of Z and radius in mm");
-  jobs::CutLog log;
-  process::TurningFit fit;
-  {
-    const py::gil_scoped_release others_run;
-    log = jobs::read_cut_log(file, {.channel = channel, .spindle = spindle - 1, .stock = steps});
-    fit = fit_or_throw(process::fit_turning(log.record));
-  }
-  using process::CutRow;
-  py::dict arrays;
-  arrays["time_s"] = array_of_values(log.time_s);
-  arrays["rev_per_min"] = column_of(log.record.rows, &CutRow::rev_per_min);
-  arrays["radius_mm"] = column_of(log.record.rows, &CutRow::radius_mm);
-  arrays["depth_mm"] = column_of(log.record.rows, &CutRow::depth_mm);
-  arrays["travel_mm"] = column_of(log.record.rows, &CutRow::travel_mm);
-  arrays["power_w"] = column_of(log.record.rows, &CutRow::power_w);
-  arrays["fitted_w"] = array_of_values(fit.fitted_w);
-  const client::IdentifyReport report{.log = log, .fit = fit, .coefficient_n = coefficient_n};
-  return py::make_tuple(py::str(protocol::json_text(client::to_json(report))), arrays);
+  if (steps.empty()) throw std::invalid_argument("stock names nothing");
+  const auto found = identified(
+      jobs::LoggedTurning{.log = file,
+                          .reading = {.channel = channel, .spindle = spindle - 1, .stock = steps},
+                          .coefficient_n = coefficient_n});
+  return py::make_tuple(report_text(jobs::identification_fields(found)),
+                        column_arrays(found.rows, jobs::turning_row_columns()));
 }
 
 std::string text_of_file(const std::filesystem::path& path) {
@@ -85,31 +63,18 @@ std::string text_of_file(const std::filesystem::path& path) {
 // The report, the rows, and the file of tool and material with the figures that were found.
 py::tuple identify_milling(const std::filesystem::path& file, const std::filesystem::path& cut_file,
                            int channel, int spindle, int tool, double efficiency) {
-  const jobs::MillingLogRequest request{.channel = channel,
-                                        .spindle = spindle - 1,
-                                        .cut = config::read_chatter_file(cut_file),
-                                        .tool = tool};
-  if (request.cut.kind != process::CutKind::milling)
+  const process::CuttingProcess cut = config::read_chatter_file(cut_file);
+  if (cut.kind != process::CutKind::milling)
     throw std::invalid_argument(cut_file.string() +
                                 " is not of a milling cut; write kind = \"milling\"");
-  jobs::MillingLog log;
-  process::MillingFit fit;
-  {
-    const py::gil_scoped_release others_run;
-    log = jobs::read_milling_log(file, request);
-    fit = fit_or_throw(process::fit_milling(log.record));
-  }
-  using process::MillingRow;
-  py::dict arrays;
-  arrays["time_s"] = array_of_values(log.time_s);
-  arrays["rev_per_min"] = column_of(log.record.rows, &MillingRow::rev_per_min);
-  arrays["removal_mm3_per_s"] = column_of(log.record.rows, &MillingRow::removal_mm3_per_s);
-  arrays["rubbing_mm2_per_s"] = column_of(log.record.rows, &MillingRow::rubbing_mm2_per_s);
-  arrays["power_w"] = column_of(log.record.rows, &MillingRow::power_w);
-  arrays["fitted_w"] = array_of_values(fit.fitted_w);
-  const client::MillingFitReport report{.log = log, .fit = fit, .efficiency = efficiency};
-  return py::make_tuple(py::str(protocol::json_text(client::to_json(report))), arrays,
-                        py::str(client::with_figures(text_of_file(cut_file), report)));
+  const auto found = identified(jobs::LoggedMilling{
+      .log = file,
+      .reading = {.channel = channel, .spindle = spindle - 1, .cut = cut, .tool = tool},
+      .cut_text = text_of_file(cut_file),
+      .efficiency = efficiency});
+  return py::make_tuple(report_text(jobs::identification_fields(found)),
+                        column_arrays(found.rows, jobs::milling_row_columns()),
+                        py::str(found.text));
 }
 
 // The report, the rows, and the process file with the figures that were found.
@@ -117,26 +82,17 @@ py::tuple identify_grinding(const std::filesystem::path& file,
                             const std::filesystem::path& process_file, int channel, int spindle,
                             std::optional<double> touch_mm, double watts_per_newton) {
   const process::DesignRequest sheet = config::read_grinding_file(process_file);
-  const jobs::GrindLogRequest request{.channel = channel,
-                                      .spindle = spindle - 1,
-                                      .allowance_mm = sheet.allowance_mm,
-                                      .touch_mm = touch_mm,
-                                      .watts_per_newton = watts_per_newton};
-  jobs::GrindLog log;
-  process::GrindingFit fit;
-  {
-    const py::gil_scoped_release others_run;
-    log = jobs::read_grind_log(file, request);
-    fit = fit_or_throw(process::fit_grinding(log.record, sheet.process));
-  }
-  py::dict arrays;
-  arrays["time_s"] = array_of_values(log.time_s);
-  arrays["x_mm"] = column_of(log.record.rows, &process::GrindRow::x_mm);
-  arrays["power_w"] = column_of(log.record.rows, &process::GrindRow::power_w);
-  arrays["fitted_w"] = array_of_values(fit.fitted_w);
-  const client::GrindFitReport report{.log = log, .fit = fit};
-  return py::make_tuple(py::str(protocol::json_text(client::to_json(report))), arrays,
-                        py::str(jobs::with_figures(text_of_file(process_file), fit)));
+  const auto found =
+      identified(jobs::LoggedPlunge{.log = file,
+                                    .reading = {.channel = channel,
+                                                .spindle = spindle - 1,
+                                                .allowance_mm = sheet.allowance_mm,
+                                                .touch_mm = touch_mm,
+                                                .watts_per_newton = watts_per_newton},
+                                    .sheet = sheet.process,
+                                    .process_text = text_of_file(process_file)});
+  return py::make_tuple(report_text(jobs::identification_fields(found)),
+                        column_arrays(found.rows, jobs::plunge_row_columns()), py::str(found.text));
 }
 
 // The report, and the least depth that is not stable by speed.
@@ -156,11 +112,8 @@ py::tuple lobes(const std::filesystem::path& file, const std::pair<double, doubl
     const py::gil_scoped_release others_run;
     study = process::study_lobes(request);
   }
-  py::dict arrays;
-  arrays["speed_rev_per_min"] = column_of(study.limits, &process::LimitAt::speed_rev_per_min);
-  arrays["depth_mm"] = column_of(study.limits, &process::LimitAt::depth_mm);
-  arrays["chatter_hz"] = column_of(study.limits, &process::LimitAt::chatter_hz);
-  return py::make_tuple(py::str(protocol::json_text(client::to_json(study))), arrays);
+  return py::make_tuple(report_text(jobs::lobes_fields(study)),
+                        column_arrays(study.limits, jobs::lobes_columns()));
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 namespace stanok::client {
 namespace {
 
-using nlohmann::ordered_json;
 using process::LimitAt;
 using process::LobesStudy;
 using process::PlannedCut;
@@ -28,17 +27,6 @@ bool is_grinding(const LobesStudy& study) {
 
 std::string depth_text(double depth_mm) {
   return std::isfinite(depth_mm) ? fmt::format("{:.3f}", depth_mm) : "any";
-}
-
-ordered_json depth_json(double depth_mm) {
-  return std::isfinite(depth_mm) ? ordered_json(depth_mm) : ordered_json(nullptr);
-}
-
-ordered_json limit_json(const LimitAt& limit) {
-  ordered_json json{{"speed_rev_per_min", limit.speed_rev_per_min},
-                    {"depth_mm", depth_json(limit.depth_mm)}};
-  if (limit.chatter_hz > 0.0) json["chatter_hz"] = limit.chatter_hz;
-  return json;
 }
 
 std::string cut_text(const PlannedCut& cut) {
@@ -100,26 +88,6 @@ std::string to_text(const LobesStudy& study) {
   }
   for (const PlannedCut& cut : study.cuts) text += cut_text(cut);
   return text;
-}
-
-ordered_json to_json(const LobesStudy& study) {
-  auto limits = ordered_json::array();
-  for (const LimitAt& limit : study.limits) limits.push_back(limit_json(limit));
-  auto best = ordered_json::array();
-  for (const LimitAt& limit : study.best) best.push_back(limit_json(limit));
-  auto cuts = ordered_json::array();
-  for (const PlannedCut& cut : study.cuts) {
-    ordered_json json{{"speed_rev_per_min", cut.speed_rev_per_min},
-                      {"depth_mm", cut.depth_mm},
-                      {"limit_mm", depth_json(cut.limit_mm)},
-                      {"stable", cut.is_stable()}};
-    if (cut.better_speed > 0.0) json["better_speed_rev_per_min"] = cut.better_speed;
-    cuts.push_back(std::move(json));
-  }
-  return {{"always_stable_mm", depth_json(study.always_mm)},
-          {"best", std::move(best)},
-          {"cuts", std::move(cuts)},
-          {"limits", std::move(limits)}};
 }
 
 std::string to_csv(const LobesStudy& study) {

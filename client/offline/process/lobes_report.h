@@ -1,8 +1,7 @@
-// What `stanok process lobes` tells: for people, as JSON, as CSV, as a picture.
+// What `stanok process lobes` tells: for people, as CSV, as a picture.
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "process/chatter/lobes_study.h"
@@ -10,7 +9,6 @@
 namespace stanok::client {
 
 [[nodiscard]] std::string to_text(const process::LobesStudy& study);
-[[nodiscard]] nlohmann::ordered_json to_json(const process::LobesStudy& study);
 [[nodiscard]] std::string to_csv(const process::LobesStudy& study);
 
 // The script for gnuplot, and the picture itself, .svg or .png; throws when it cannot be drawn.

@@ -4,15 +4,21 @@
 #include <charconv>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
+#include "client/offline/machine/job_options.h"
 #include "client/offline/process/identify/identify_command.h"
 #include "client/offline/process/lobes_report.h"
 #include "client/offline/process/optimise_command.h"
-#include "client/offline/process/program_speeds.h"
+#include "client/terminal/diagnostic_output.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"
 #include "config/files/chatter_file.h"
+#include "jobs/lobes/lobes_fields.h"
+#include "jobs/lobes/program_speeds.h"
+#include "protocol/contract/fields_json.h"
+#include "runtime/program_files.h"
 
 namespace stanok::client {
 namespace {
@@ -51,6 +57,21 @@ std::optional<std::pair<double, double>> two_numbers(const std::string& text, ch
   return numbers;
 }
 
+// What is wrong with the program is printed; throws std::runtime_error then.
+std::vector<double> speeds_of_program(const std::string& program, const JobOptions& job) {
+  const channels::MachineConfig machine = machine_file_of(job).machine;
+  const LocatedProgram located = locate(program);
+  const runtime::ProgramFiles files(search_roots({located}, job), runtime::program_format(machine));
+  const jobs::ProgramSpeeds found = jobs::program_speeds({.machine = machine,
+                                                          .channel = job.channel,
+                                                          .scheme = scheme_of(job),
+                                                          .program = located.name,
+                                                          .files = files});
+  for (const Diagnostic& diagnostic : found.diagnostics) print(diagnostic);
+  if (has_errors(found.diagnostics)) throw std::runtime_error(program + " has errors");
+  return found.rev_per_min;
+}
+
 LobesRequest request_of(const LobesOptions& options) {
   LobesRequest request;
   const auto speeds = two_numbers(options.speeds, ':');
@@ -82,7 +103,7 @@ int run_lobes(const LobesOptions& options) {
   if (!options.picture.empty()) draw_picture(study, options.picture);
   if (!options.csv.empty()) write_text_file(options.csv, to_csv(study));
   if (options.json) {
-    write_json(to_json(study));
+    write_json(protocol::fields_json(jobs::lobes_fields(study)));
   } else {
     write_data(to_text(study));
   }

@@ -10,11 +10,7 @@
 #include "daemon/desk/log_folder.h"
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/process/process_desk.h"
-#include "jobs/cutting/cut_log.h"
-#include "jobs/cutting/figures.h"
-#include "jobs/cutting/grind_log.h"
-#include "jobs/cutting/milling_log.h"
-#include "jobs/cutting/power_points.h"
+#include "jobs/cutting/identification.h"
 
 namespace stanok::daemon {
 namespace {
@@ -46,13 +42,15 @@ json figures_json(const jobs::Figures& figures) {
   return list;
 }
 
-// Time, power as recorded, power as fitted, of the rows with a reading.
-template <class Row>
-json power_json(const std::vector<double>& time_s, const std::vector<Row>& rows,
-                const std::vector<double>& fitted_w) {
-  return jobs::thinned(
-      jobs::power_points(time_s, rows, fitted_w), ProcessDesk::rows_max,
-      jobs::columns_named(jobs::power_columns(), {"time_s", "recorded_w", "model_w"}));
+json found_json(const jobs::Identification& found) {
+  return {{"figures", figures_json(found.figures)},
+          {"noise", found.noise},
+          {"residual_w", found.residual_w},
+          {"readings", found.readings},
+          {"power", jobs::thinned(found.power, ProcessDesk::rows_max,
+                                  jobs::columns_named(jobs::power_columns(),
+                                                      {"time_s", "recorded_w", "model_w"}))},
+          {"text", found.text}};
 }
 
 // "0:32,-20:33": from this Z on this radius, mm, with falling Z; nothing: it is not of this form.
@@ -96,22 +94,13 @@ CommandResult turning_figures(const FiguresRequest& request) {
     return nothing_told(
         "give the stock before the cut as Z:RADIUS in mm with falling Z, for example 0:32,-20:33");
   }
-  const jobs::CutLog log = jobs::read_cut_log(request.log, {.channel = request.channel,
-                                                            .spindle = request.spindle(),
-                                                            .stock = *stock,
-                                                            .bounds = request.bounds});
-  const auto fit = process::fit_turning(log.record);
-  if (!fit) return nothing_told(fit.error());
-  double rev_per_min = 0.0;
-  for (const process::CutRow& row : log.record.rows)
-    rev_per_min = std::max(rev_per_min, row.rev_per_min);
-  const double coefficient_n = request.parameters.value("coefficient", 0.0);
-  return json{{"figures", figures_json(jobs::figures_of(*fit, coefficient_n))},
-              {"noise", fit->noise},
-              {"residual_w", fit->residual_w},
-              {"readings", fit->readings},
-              {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
-              {"text", jobs::process_section(*fit, rev_per_min, coefficient_n)}};
+  return found_json(jobs::identify(
+      jobs::LoggedTurning{.log = request.log,
+                          .reading = {.channel = request.channel,
+                                      .spindle = request.spindle(),
+                                      .stock = *stock,
+                                      .bounds = request.bounds},
+                          .coefficient_n = request.parameters.value("coefficient", 0.0)}));
 }
 
 CommandResult grinding_figures(const FiguresRequest& request) {
@@ -134,17 +123,8 @@ CommandResult grinding_figures(const FiguresRequest& request) {
                           given.value("efficiency", wheel_efficiency_usual),
       .bounds = request.bounds};
   if (given.contains("touch")) asked.touch_mm = given["touch"].get<double>();
-  const jobs::GrindLog log = jobs::read_grind_log(request.log, asked);
-  const auto fit = process::fit_grinding(log.record, sheet.process);
-  if (!fit) return nothing_told(fit.error());
-  const auto readings = std::ranges::count_if(
-      log.record.rows, [](const process::GrindRow& row) { return std::isfinite(row.power_w); });
-  return json{{"figures", figures_json(jobs::figures_of(*fit))},
-              {"noise", fit->noise},
-              {"residual_w", fit->residual_w},
-              {"readings", readings},
-              {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
-              {"text", jobs::with_figures(file->text, *fit)}};
+  return found_json(jobs::identify(jobs::LoggedPlunge{
+      .log = request.log, .reading = asked, .sheet = sheet.process, .process_text = file->text}));
 }
 
 CommandResult milling_figures(const FiguresRequest& request) {
@@ -164,16 +144,11 @@ CommandResult milling_figures(const FiguresRequest& request) {
   }
   if (asked.cut.kind != process::CutKind::milling)
     return nothing_told(name + " is not a file of a milling tool; set kind = \"milling\"");
-  const jobs::MillingLog log = jobs::read_milling_log(request.log, asked);
-  const auto fit = process::fit_milling(log.record);
-  if (!fit) return nothing_told(fit.error());
-  const double efficiency = request.parameters.value("efficiency", 1.0);
-  return json{{"figures", figures_json(jobs::figures_of(*fit, efficiency))},
-              {"noise", fit->noise},
-              {"residual_w", fit->residual_w},
-              {"readings", fit->readings},
-              {"power", power_json(log.time_s, log.record.rows, fit->fitted_w)},
-              {"text", jobs::with_figures(file->text, jobs::cut_forces(*fit, efficiency))}};
+  return found_json(jobs::identify(
+      jobs::LoggedMilling{.log = request.log,
+                          .reading = asked,
+                          .cut_text = file->text,
+                          .efficiency = request.parameters.value("efficiency", 1.0)}));
 }
 
 CommandResult figures_told(const FiguresRequest& request) {

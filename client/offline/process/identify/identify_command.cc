@@ -2,30 +2,23 @@
 
 #include <charconv>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 
 #include "client/offline/process/forecast_job.h"
-#include "client/offline/process/identify/grind_fit_report.h"
 #include "client/offline/process/identify/identify_report.h"
-#include "client/offline/process/identify/milling_fit_report.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "client/terminal/result_files.h"
 #include "config/files/chatter_file.h"
 #include "config/files/grinding_file.h"
-#include "jobs/cutting/found_figures.h"
+#include "protocol/contract/fields_json.h"
 
 namespace stanok::client {
 namespace {
 
-using jobs::CutLog;
-using jobs::GrindLog;
 using jobs::GrindLogRequest;
-using jobs::MillingLog;
-using jobs::MillingLogRequest;
 using jobs::StockStep;
 
 constexpr double usual_efficiency_of_wheel = 0.85;
@@ -72,49 +65,45 @@ std::vector<StockStep> stock_of(const IdentifyOptions& options) {
 }
 
 // What was found: into the file that was asked for, as a picture, and on standard output.
-template <class Report>
-int tell(const IdentifyOptions& options, const Report& report,
-         const std::function<std::string()>& file) {
-  if (!options.out.empty()) write_text_file(options.out, file());
-  if (!options.picture.empty()) draw_picture(report, options.picture);
+int tell(const IdentifyOptions& options, const jobs::Identification& found) {
+  if (!options.out.empty()) write_text_file(options.out, found.text);
+  if (!options.picture.empty()) draw_picture(found, options.picture);
   if (options.json) {
-    write_json(to_json(report));
+    write_json(protocol::fields_json(jobs::identification_fields(found)));
   } else {
-    write_data(to_text(report));
+    write_data(to_text(found));
   }
   return 0;
 }
 
 int run_grinding(const IdentifyOptions& options) {
   const process::DesignRequest sheet = config::read_grinding_file(options.grinding);
-  GrindLogRequest request{
+  GrindLogRequest reading{
       .channel = options.channel,
       .spindle = options.spindle - 1,
       .allowance_mm = sheet.allowance_mm,
       .watts_per_newton = options.force_ratio * options.wheel_speed_m_per_s /
                           options.efficiency.value_or(usual_efficiency_of_wheel)};
-  if (std::isfinite(options.touch_mm)) request.touch_mm = options.touch_mm;
-  const GrindLog log = read_grind_log(options.log, request);
-  const auto fit = process::fit_grinding(log.record, sheet.process);
-  if (!fit) throw std::runtime_error(fit.error());
-  const GrindFitReport report{.log = log, .fit = *fit};
-  return tell(options, report,
-              [&] { return jobs::with_figures(text_of_file(options.grinding), *fit); });
+  if (std::isfinite(options.touch_mm)) reading.touch_mm = options.touch_mm;
+  return tell(options,
+              jobs::identify(jobs::LoggedPlunge{.log = options.log,
+                                                .reading = reading,
+                                                .sheet = sheet.process,
+                                                .process_text = text_of_file(options.grinding)}));
 }
 
 int run_milling(const IdentifyOptions& options) {
-  const MillingLogRequest request{.channel = options.channel,
-                                  .spindle = options.spindle - 1,
-                                  .cut = config::read_chatter_file(options.cut),
-                                  .tool = options.tool};
-  if (request.cut.kind != process::CutKind::milling)
+  const process::CuttingProcess cut = config::read_chatter_file(options.cut);
+  if (cut.kind != process::CutKind::milling)
     throw std::runtime_error(options.cut + " is not of a milling cut; write kind = \"milling\"");
-  const MillingLog log = read_milling_log(options.log, request);
-  const auto fit = process::fit_milling(log.record);
-  if (!fit) throw std::runtime_error(fit.error());
-  const MillingFitReport report{
-      .log = log, .fit = *fit, .efficiency = options.efficiency.value_or(1.0)};
-  return tell(options, report, [&] { return with_figures(text_of_file(options.cut), report); });
+  return tell(options,
+              jobs::identify(jobs::LoggedMilling{.log = options.log,
+                                                 .reading = {.channel = options.channel,
+                                                             .spindle = options.spindle - 1,
+                                                             .cut = cut,
+                                                             .tool = options.tool},
+                                                 .cut_text = text_of_file(options.cut),
+                                                 .efficiency = options.efficiency.value_or(1.0)}));
 }
 
 int run_identify(const IdentifyOptions& options) {
@@ -124,13 +113,12 @@ int run_identify(const IdentifyOptions& options) {
     throw CLI::RequiredError(
         "--stock of a turning cut, --cut of a milling cut, or --grinding of a plunge cycle");
   }
-  const CutLog log = jobs::read_cut_log(
-      options.log,
-      {.channel = options.channel, .spindle = options.spindle - 1, .stock = stock_of(options)});
-  const auto fit = process::fit_turning(log.record);
-  if (!fit) throw std::runtime_error(fit.error());
-  const IdentifyReport report{.log = log, .fit = *fit, .coefficient_n = options.coefficient_n};
-  return tell(options, report, [&] { return process_section(report); });
+  return tell(options,
+              jobs::identify(jobs::LoggedTurning{.log = options.log,
+                                                 .reading = {.channel = options.channel,
+                                                             .spindle = options.spindle - 1,
+                                                             .stock = stock_of(options)},
+                                                 .coefficient_n = options.coefficient_n}));
 }
 
 }  // namespace

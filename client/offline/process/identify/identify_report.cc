@@ -1,41 +1,40 @@
 #include "client/offline/process/identify/identify_report.h"
 
-#include "client/offline/process/identify/figure_table.h"
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include "client/offline/process/identify/power_picture.h"
-#include "jobs/cutting/found_figures.h"
+#include "client/terminal/text_table.h"
 
 namespace stanok::client {
 namespace {
 
-using nlohmann::ordered_json;
-
-jobs::Figures figures_of(const IdentifyReport& report) {
-  return jobs::figures_of(report.fit, report.coefficient_n);
+std::string figures_text(const jobs::Figures& figures) {
+  TextTable table{{"quantity", "value", "from", "to", "unit"}};
+  for (const jobs::Figure& figure : figures) {
+    const auto number = [&](double value) { return fmt::format("{:.{}f}", value, figure.digits); };
+    const process::Estimate read = figure.read();
+    table.add_row({std::string(figure.title), number(read.value), number(read.low),
+                   number(read.high), std::string(figure.unit)});
+  }
+  return table.text(Terminal(STDOUT_FILENO)) + "intervals hold the value with 95 % probability\n";
 }
 
-double speed_of(const IdentifyReport& report) {
-  return speed_max(report.log.record.rows);
+std::string idle_text(const std::optional<jobs::IdlePower>& idle) {
+  if (!idle) return "";
+  return fmt::format("idle power {:.1f} W at {:.0f} rev/min; ", idle->power_w, idle->rev_per_min);
 }
 
 }  // namespace
 
-std::string to_text(const IdentifyReport& report) {
-  return figures_text(figures_of(report)) + drive_text(report.fit, speed_of(report));
+std::string to_text(const jobs::Identification& found) {
+  return figures_text(found.figures) + idle_text(found.idle) +
+         fmt::format("{} readings, noise {:.1f} % of the cutting power, {:.1f} W left (rms)\n",
+                     found.readings, 100.0 * found.noise, found.residual_w);
 }
 
-ordered_json to_json(const IdentifyReport& report) {
-  ordered_json json = figures_json(figures_of(report));
-  add_drive_json(json, report.fit, speed_of(report));
-  return json;
-}
-
-std::string process_section(const IdentifyReport& report) {
-  return jobs::process_section(report.fit, speed_of(report), report.coefficient_n);
-}
-
-void draw_picture(const IdentifyReport& report, const std::filesystem::path& file) {
-  draw_power_picture(
-      jobs::power_points(report.log.time_s, report.log.record.rows, report.fit.fitted_w), file);
+void draw_picture(const jobs::Identification& found, const std::filesystem::path& file) {
+  draw_power_picture(found.power, file);
 }
 
 }  // namespace stanok::client

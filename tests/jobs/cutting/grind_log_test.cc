@@ -11,20 +11,16 @@
 #include <random>
 
 #include "base/place.h"
-#include "client/offline/process/identify/grind_fit_report.h"
 #include "config/files/grinding_file.h"
 #include "jobs/cutting/found_figures.h"
+#include "jobs/cutting/identification.h"
 #include "runtime/log_observer.h"
 #include "runtime/simulation.h"
 #include "tests/support/project_folders.h"
 #include "tests/support/temporary_directory.h"
 
-namespace stanok::client {
+namespace stanok::jobs {
 namespace {
-
-using jobs::GrindLog;
-using jobs::GrindLogRequest;
-using jobs::read_grind_log;
 
 const std::string grinder_file = stanok::testing::source_folder() + "/config/machines/grinder.toml";
 const std::string sheet_file =
@@ -137,18 +133,21 @@ TEST_F(GrindLogOfACycle, TellsStiffnessAndForceLaw) {
   EXPECT_NEAR(fit->idle_w.value, idle_w, 5.0);
   EXPECT_LT(fit->stiffness_n_per_m.half_width(), 0.15 * truth.stiffness_n_per_m);
   // The process file with the new figures is read again.
-  const GrindFitReport report{.log = log, .fit = *fit};
   std::ifstream text(sheet_file);
   const std::string old{std::istreambuf_iterator<char>(text), {}};
   const auto file = folder_.path() / "found.toml";
-  std::ofstream(file) << jobs::with_figures(old, *fit);
+  std::ofstream(file) << with_figures(old, *fit);
   const process::GrindingProcess found = config::read_grinding_file(file).process;
   EXPECT_NEAR(found.stiffness_n_per_m, fit->stiffness_n_per_m.value, 1.0);
   EXPECT_NEAR(found.force_factor, fit->force_factor.value, 1e-4);
   EXPECT_NEAR(found.force_exponent, fit->force_exponent.value, 1e-4);
   EXPECT_EQ(found.part_radius_mm, 30.0);
-  EXPECT_THAT(to_text(report), ::testing::HasSubstr("stiffness C"));
-  EXPECT_GT(to_json(report).at("readings"), 1500);
+  const IdentifiedPlunge identified =
+      identify({.log = log_file(), .reading = request(), .sheet = sheet, .process_text = old});
+  EXPECT_GT(identified.readings, 1500);
+  EXPECT_EQ(identified.rows.size(), log.record.rows.size());
+  EXPECT_EQ(identified.text, with_figures(old, *fit));
+  EXPECT_EQ(identification_fields(identified).front().name, "stiffness_n_per_m");
 
   // What it lacks it says.
   const auto fault = [&](const GrindLogRequest& asked) {
@@ -171,4 +170,4 @@ TEST_F(GrindLogOfACycle, TellsStiffnessAndForceLaw) {
 }
 
 }  // namespace
-}  // namespace stanok::client
+}  // namespace stanok::jobs
