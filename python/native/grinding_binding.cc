@@ -7,7 +7,7 @@
 
 #include "client/offline/grind/grind_input.h"
 #include "client/offline/grind/grind_report.h"
-#include "client/offline/grind/grind_study.h"
+#include "jobs/grinding/grind_study.h"
 #include "jobs/grinding/grinding_samples.h"
 #include "process/grinding/boundary.h"
 #include "process/grinding/part_program.h"
@@ -114,30 +114,30 @@ py::tuple verify(const GrindOptions& options) {
 
 // The headings, and the rows of the part as `stanok grind study --part` prints them.
 py::tuple study(const GrindOptions& options) {
-  std::vector<client::Variation> variations;
+  std::vector<jobs::Variation> variations;
   for (const std::string& text : options.variations) {
-    const auto variation = client::read_variation(text);
+    const auto variation = jobs::read_variation(text);
     if (!variation)
       throw std::invalid_argument("'" + text +
                                   "' is not KEY=FROM:TO:COUNT with a key of the process file");
     variations.push_back(*variation);
   }
-  if (client::study_size(variations) > client::study_points_max)
+  if (jobs::study_size(variations) > jobs::study_points_max)
     throw std::invalid_argument("more than a million designs");
-  const auto part = client::read_study_part(options.part);
+  const auto part = jobs::read_study_part(options.part);
   if (!part)
     throw std::invalid_argument("'" + options.part +
                                 "' is not a part K of N of a study, with K from 1 to N");
   const GrindInput input = input_or_raise(client::grind_input(options));
   Interruption interruption;
   const auto points = without_lock(interruption, [&] {
-    return client::run_study(input.request, variations, *part,
-                             [asked = interruption.asked()](std::size_t) {
-                               if (asked()) throw Interrupted();
-                             });
+    return jobs::run_study(input.request, variations, *part,
+                           [asked = interruption.asked()](std::size_t) {
+                             if (asked()) throw Interrupted();
+                           });
   });
-  return py::make_tuple(client::study_csv(variations, client::StudyPart(), {}),
-                        client::study_csv(variations, *part, points));
+  return py::make_tuple(jobs::study_csv(variations, jobs::StudyPart(), {}),
+                        jobs::study_csv(variations, *part, points));
 }
 
 std::string program(const GrindOptions& options, const std::string& title) {

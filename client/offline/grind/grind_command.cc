@@ -1,5 +1,3 @@
-#include "client/offline/grind/grind_command.h"
-
 #include <unistd.h>
 
 #include <charconv>
@@ -8,15 +6,16 @@
 #include <stdexcept>
 
 #include "base/place.h"
+#include "client/offline/grind/grind_command.h"
 #include "client/offline/grind/grind_input.h"
 #include "client/offline/grind/grind_picture.h"
 #include "client/offline/grind/grind_program.h"
 #include "client/offline/grind/grind_report.h"
-#include "client/offline/grind/grind_study.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "client/terminal/progress_line.h"
 #include "client/terminal/result_files.h"
+#include "jobs/grinding/grind_study.h"
 #include "process/grinding/control_file.h"
 #include "process/grinding/part_program.h"
 
@@ -168,9 +167,9 @@ int run_program(const GrindOptions& options) {
 }
 
 int run_study_command(const GrindOptions& options) {
-  std::vector<Variation> variations;
+  std::vector<jobs::Variation> variations;
   for (const std::string& text : options.variations) {
-    const auto variation = read_variation(text);
+    const auto variation = jobs::read_variation(text);
     if (!variation) {
       throw CLI::ValidationError("--set", "'" + text +
                                               "' is not KEY=FROM:TO:COUNT or KEY=A,B,C with a "
@@ -179,11 +178,11 @@ int run_study_command(const GrindOptions& options) {
     }
     variations.push_back(*variation);
   }
-  const double size = study_size(variations);
-  if (size > study_points_max) {
+  const double size = jobs::study_size(variations);
+  if (size > jobs::study_points_max) {
     throw CLI::ValidationError("--set", "more than a million designs");
   }
-  const auto part = read_study_part(options.part);
+  const auto part = jobs::read_study_part(options.part);
   if (!part) {
     throw CLI::ValidationError("--part",
                                "'" + options.part + "' is not K/N with K from 1 to N, as 3/10");
@@ -196,9 +195,10 @@ int run_study_command(const GrindOptions& options) {
     constexpr std::size_t columns = 79;
     progress.show(progress_bar(done, designs, "designs", columns));
   };
-  const std::vector<StudyPoint> points = run_study(input->request, variations, *part, show);
+  const std::vector<jobs::StudyPoint> points =
+      jobs::run_study(input->request, variations, *part, show);
   progress.clear();
-  const std::string text = study_csv(variations, *part, points);
+  const std::string text = jobs::study_csv(variations, *part, points);
   if (options.out.empty()) {
     write_data(text);
   } else {

@@ -9,7 +9,7 @@
 
 #include "process/grinding/cycle_design.h"
 
-namespace stanok::client {
+namespace stanok::jobs {
 
 // A number of the sheet, or the allowance, and the values that it takes one after the other.
 struct Variation {
@@ -62,4 +62,4 @@ struct StudyPart {
 [[nodiscard]] std::string study_csv(const std::vector<Variation>& variations, const StudyPart& part,
                                     const std::vector<StudyPoint>& points);
 
-}  // namespace stanok::client
+}  // namespace stanok::jobs

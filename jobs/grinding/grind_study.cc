@@ -1,4 +1,4 @@
-#include "client/offline/grind/grind_study.h"
+#include "jobs/grinding/grind_study.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,7 +13,7 @@
 #include "base/place.h"
 #include "process/grinding/number_text.h"
 
-namespace stanok::client {
+namespace stanok::jobs {
 namespace {
 
 using process::CycleDesign;
@@ -230,4 +230,4 @@ std::string study_csv(const std::vector<Variation>& variations, const StudyPart&
   return text;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::jobs
