@@ -5,17 +5,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "client/offline/grind/grind_input.h"
-#include "client/offline/grind/grind_report.h"
+#include "jobs/grinding/grind_cycle.h"
+#include "jobs/grinding/grind_program.h"
 #include "jobs/grinding/grind_study.h"
 #include "jobs/grinding/grinding_samples.h"
 #include "process/grinding/boundary.h"
-#include "process/grinding/part_program.h"
 #include "process/grinding/plunge.h"
-#include "process/grinding/robust_design.h"
+#include "protocol/contract/fields_json.h"
 #include "protocol/contract/json_text.h"
 #include "python/native/array_rows.h"
 #include "python/native/bindings.h"
+#include "python/native/column_arrays.h"
 #include "python/native/faults.h"
 #include "python/native/interruption.h"
 
@@ -23,16 +23,23 @@ namespace stanok::python {
 namespace {
 
 namespace py = pybind11;
-using client::GrindInput;
-using client::GrindOptions;
+using jobs::GrindCycle;
+using jobs::GrindInput;
 using nlohmann::ordered_json;
-using process::CycleDesign;
 using process::InfeedLaw;
+
+// What the functions are given besides what a job on cycles is asked for.
+struct GrindOptions : jobs::GrindRequest {
+  std::vector<std::string> variations;
+  std::string part = "1/1";
+  jobs::GrindMachine machine;
+  double gauge_margin_mm = 0.0;
+};
 
 // Thrown through what computes, when the interpreter was interrupted.
 struct Interrupted {};
 
-GrindInput input_or_raise(Expected<GrindInput, Diagnostics> input) {
+GrindInput value_or_raise(Expected<GrindInput, Diagnostics> input) {
   if (input) return std::move(*input);
   raise("GrindingError", faults_json(input.error()));
 }
@@ -45,14 +52,11 @@ GrindInput input_or_raise(Expected<GrindInput, Diagnostics> input) {
 }
 
 py::dict samples_of(const process::GrindingProcess& process, const process::PlungeRun& run) {
-  const std::vector<jobs::GrindingSample> samples = jobs::grinding_samples(process, run);
-  py::dict arrays;
-  for (const auto& column : jobs::grinding_columns()) {
-    py::array_t<double> array(static_cast<py::ssize_t>(samples.size()));
-    std::ranges::transform(samples, array.mutable_data(), column.value);
-    arrays[py::str(std::string(column.name))] = std::move(array);
-  }
-  return arrays;
+  return column_arrays(jobs::grinding_samples(process, run), jobs::grinding_columns());
+}
+
+py::str text_of(const Fields& fields) {
+  return py::str(protocol::json_text(protocol::fields_json(fields)));
 }
 
 // Runs `job` while other threads of Python go on; Ctrl-C ends it where it can be ended.
@@ -74,42 +78,31 @@ void let_interrupt(process::DesignRequest& request, Interruption& interruption) 
 }
 
 // Report as JSON, samples, and the control file as a text.
-py::tuple report_of(const GrindInput& input, const process::RobustDesign& robust) {
-  const client::GrindReport report{input.request, robust.design, robust.corners};
-  process::ControlFile file =
-      input.control.value_or(process::ControlFile{input.request.process, {}, {}});
-  file.law = robust.design.law;
-  ordered_json json = client::to_json(report);
-  return py::make_tuple(py::str(protocol::json_text(json)),
-                        samples_of(input.request.process, robust.design.verification.run),
-                        py::str(process::control_text(file)));
+py::tuple report_of(const GrindInput& input, const GrindCycle& cycle) {
+  return py::make_tuple(text_of(jobs::cycle_fields(cycle)),
+                        samples_of(cycle.request.process, cycle.design.verification.run),
+                        py::str(jobs::control_text(input, cycle)));
 }
 
 py::tuple design(const GrindOptions& options, const process::Spread& spread) {
-  GrindInput input = input_or_raise(client::grind_input(options));
+  GrindInput input = value_or_raise(jobs::grind_input(options));
   Interruption interruption;
   let_interrupt(input.request, interruption);
-  auto robust = without_lock(interruption, [&] {
-    if (!spread.is_none()) return process::design_robust(input.request, spread);
-    return process::design_cycle(input.request).map([](CycleDesign one) {
-      return process::RobustDesign{.design = std::move(one), .corners = {}};
-    });
-  });
+  const auto cycle =
+      without_lock(interruption, [&] { return jobs::designed_cycle(input.request, spread); });
   interruption.rethrow();
-  if (!robust) raise_findings(robust.error());
-  return report_of(input, *robust);
+  if (!cycle) raise_findings(cycle.error());
+  return report_of(input, *cycle);
 }
 
 py::tuple verify(const GrindOptions& options) {
-  constexpr double time_max_s = 3600.0;
-  GrindInput input = input_or_raise(client::control_input(options));
-  input.request.simulation.time_max_s = time_max_s;
+  GrindInput input = value_or_raise(jobs::control_input(options));
   Interruption interruption;
   let_interrupt(input.request, interruption);
-  CycleDesign assessed = without_lock(
-      interruption, [&] { return process::assessed_cycle(input.request, input.control->law); });
+  const GrindCycle cycle = without_lock(
+      interruption, [&] { return jobs::assessed_cycle(input.request, input.control->law); });
   interruption.rethrow();
-  return report_of(input, {.design = std::move(assessed), .corners = {}});
+  return report_of(input, cycle);
 }
 
 // The headings, and the rows of the part as `stanok grind study --part` prints them.
@@ -127,8 +120,8 @@ py::tuple study(const GrindOptions& options) {
   const auto part = jobs::read_study_part(options.part);
   if (!part)
     throw std::invalid_argument("'" + options.part +
-                                "' is not a part K of N of a study, with K from 1 to N");
-  const GrindInput input = input_or_raise(client::grind_input(options));
+                                "' is no part K of N of a study, with K from 1 to N");
+  const GrindInput input = value_or_raise(jobs::grind_input(options));
   Interruption interruption;
   const auto points = without_lock(interruption, [&] {
     return jobs::run_study(input.request, variations, *part,
@@ -141,15 +134,19 @@ py::tuple study(const GrindOptions& options) {
 }
 
 std::string program(const GrindOptions& options, const std::string& title) {
-  const GrindInput input = input_or_raise(client::control_input(options));
+  const GrindInput input = value_or_raise(jobs::control_input(options));
   const InfeedLaw& law = input.control->law;
-  process::ProgramOptions chosen =
-      client::program_options(input.request.process, law, options.machine);
-  chosen.title = title;
-  chosen.spark_out_s =
-      input.request.simulation.spark_out_revolutions * process::revolution_s(input.request.process);
-  chosen.gauge_margin_mm = options.gauge_margin_mm;
-  return process::part_program(input.request.process, law, chosen);
+  const jobs::GrindProgram made =
+      jobs::grind_program({.process = input.request.process,
+                           .law = law,
+                           .machine = options.machine,
+                           .title = title,
+                           .spark_out_revolutions = input.request.simulation.spark_out_revolutions,
+                           .gauge_margin_mm = options.gauge_margin_mm});
+  for (const std::string& warning : made.warnings) {
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+  }
+  return made.text;
 }
 
 InfeedLaw law_of(const Matrix& rows) {
@@ -165,36 +162,26 @@ InfeedLaw law_of(const Matrix& rows) {
   }
   if (!is_law)
     throw std::invalid_argument(
-        "law must have at least two rows (X mm, feed mm/s); X never rises, feeds are above 0 and "
+        "law must have two rows (X mm, feed mm/s) at least; X never rises, feeds are above 0 and "
         "at most 1 mm/s");
   return law;
 }
 
 py::tuple plunge(const GrindOptions& options, const Matrix& rows,
                  process::InfeedTravel::AtEnd at_end) {
-  GrindInput input = input_or_raise(client::grind_input(options));
+  GrindInput input = value_or_raise(jobs::grind_input(options));
   const InfeedLaw law = law_of(rows);
   input.request.simulation.at_end = at_end;
   Interruption interruption;
   const process::PlungeRun run = without_lock(interruption, [&] {
     return process::simulate_plunge(input.request.process, law, input.request.simulation);
   });
-  ordered_json json = {{"time_s", run.time_s},
-                       {"size_reached_s", nullptr},
-                       {"residual_mm", run.residual_mm},
-                       {"residual_min_mm", run.residual_min_mm},
-                       {"residual_mean_mm", run.residual_mean_mm},
-                       {"wear_mm", run.wear_mm},
-                       {"volume_mm2", run.volume_mm2},
-                       {"contact_losses", run.contact_losses},
-                       {"force_max_n", run.force_max_n}};
-  if (run.size_reached_s) json["size_reached_s"] = *run.size_reached_s;
-  return py::make_tuple(py::str(protocol::json_text(json)), samples_of(input.request.process, run));
+  return py::make_tuple(text_of(jobs::plunge_fields(run)), samples_of(input.request.process, run));
 }
 
 // D(H), mm2/rad.
 py::array_t<double> boundary(const GrindOptions& options, const py::array_t<double>& allowance_mm) {
-  const GrindInput input = input_or_raise(client::grind_input(options));
+  const GrindInput input = value_or_raise(jobs::grind_input(options));
   const process::Boundary line(input.request.process);
   return py::vectorize([&line](double allowance) { return line.at(allowance); })(allowance_mm);
 }

@@ -1,3 +1,5 @@
+#include "client/offline/grind/grind_command.h"
+
 #include <unistd.h>
 
 #include <charconv>
@@ -6,28 +8,24 @@
 #include <stdexcept>
 
 #include "base/place.h"
-#include "client/offline/grind/grind_command.h"
 #include "client/offline/grind/grind_input.h"
 #include "client/offline/grind/grind_picture.h"
-#include "client/offline/grind/grind_program.h"
 #include "client/offline/grind/grind_report.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "client/terminal/progress_line.h"
 #include "client/terminal/result_files.h"
+#include "jobs/grinding/grind_cycle.h"
 #include "jobs/grinding/grind_study.h"
-#include "process/grinding/control_file.h"
-#include "process/grinding/part_program.h"
+#include "protocol/contract/fields_json.h"
 
 namespace stanok::client {
 namespace {
 
 namespace fs = std::filesystem;
-using process::ControlFile;
-using process::CycleDesign;
+using jobs::GrindCycle;
+using jobs::GrindInput;
 using process::DesignRequest;
-
-constexpr double verified_time_max_s = 3600.0;  // of a table that is verified
 
 void show_iterations(DesignRequest& request, ProgressLine& progress) {
   request.optimiser.on_iteration = [&progress](const process::Iteration& iteration) {
@@ -38,7 +36,7 @@ void show_iterations(DesignRequest& request, ProgressLine& progress) {
   };
 }
 
-void print_findings_of_process(const process::Findings& findings) {
+void print_findings(const process::Findings& findings) {
   const Terminal terminal(STDERR_FILENO);
   for (const process::Finding& finding : findings) {
     const Colour colour = finding.is_error() ? Colour::red : Colour::yellow;
@@ -46,51 +44,48 @@ void print_findings_of_process(const process::Findings& findings) {
   }
 }
 
-void draw_pictures(const GrindOptions& options, const DesignRequest& request,
-                   const CycleDesign& design) {
-  const process::OptimalLaw& optimum = design.continuous;
+void draw_pictures(const GrindOptions& options, const GrindCycle& cycle) {
+  const process::OptimalLaw& optimum = cycle.design.continuous;
   const bool has_optimum = !optimum.law.empty();
-  const process::PlungeRun& run = design.verification.run;
+  const process::PlungeRun& run = cycle.design.verification.run;
   if (!options.picture.empty() && !run.samples.empty()) {
-    draw_picture({request, design.law, run, has_optimum ? &optimum : nullptr}, options.picture);
+    draw_picture({cycle.request, cycle.design.law, run, has_optimum ? &optimum : nullptr},
+                 options.picture);
   }
   if (!options.optimum_picture.empty() && has_optimum) {
-    draw_picture({request, optimum.law, optimum.run}, options.optimum_picture);
+    draw_picture({cycle.request, optimum.law, optimum.run}, options.optimum_picture);
   }
 }
 
-int report(const GrindOptions& options, const DesignRequest& request, const CycleDesign& design,
-           const std::vector<process::Corner>& corners = GrindReport::no_corners) {
-  const GrindReport grind_report{request, design, corners};
-  draw_pictures(options, request, design);
-  const process::Findings& findings = design.verification.findings;
+int report(const GrindOptions& options, const GrindCycle& cycle) {
+  draw_pictures(options, cycle);
+  const process::Findings& findings = cycle.design.verification.findings;
   if (options.json) {
-    write_json(to_json(grind_report));
+    write_json(protocol::fields_json(jobs::cycle_fields(cycle)));
   } else {
-    write_data(to_text(grind_report, Terminal(STDOUT_FILENO)));
-    print_findings_of_process(findings);
+    write_data(to_text(cycle, Terminal(STDOUT_FILENO)));
+    print_findings(findings);
   }
   return process::has_errors(findings) ? exit_failed : 0;
 }
 
-void write_program(const std::string& path, const GrindOptions& options,
-                   const DesignRequest& request, const process::InfeedLaw& law,
-                   double spark_out_revolutions) {
-  process::ProgramOptions program = program_options(request.process, law, options.machine);
-  program.title = fs::path(options.input).filename().string();
-  program.spark_out_s = spark_out_revolutions * process::revolution_s(request.process);
-  program.gauge_margin_mm = options.gauge_margin_mm;
-  write_text_file(path, process::part_program(request.process, law, program));
+void write_program(const GrindOptions& options, const DesignRequest& request,
+                   const process::InfeedLaw& law, double spark_out_revolutions) {
+  const jobs::GrindProgram program =
+      jobs::grind_program({.process = request.process,
+                           .law = law,
+                           .machine = options.machine,
+                           .title = fs::path(options.input).filename().string(),
+                           .spark_out_revolutions = spark_out_revolutions,
+                           .gauge_margin_mm = options.gauge_margin_mm});
+  for (const std::string& warning : program.warnings) write_message("warning: " + warning + "\n");
+  write_text_file(options.program, program.text);
 }
 
 int refused(const GrindOptions& options, const process::Findings& findings) {
-  if (options.json) write_json(refusal_json(findings));
-  if (!options.json) print_findings_of_process(findings);
+  if (options.json) write_json(protocol::fields_json(jobs::refusal_fields(findings)));
+  if (!options.json) print_findings(findings);
   return exit_failed;
-}
-
-process::RobustDesign as_robust(CycleDesign design) {
-  return {.design = std::move(design), .corners = {}};
 }
 
 // KEY=VALUE: a part of stiffness or force_factor, or mm of allowance.
@@ -125,33 +120,24 @@ int run_design(const GrindOptions& options) {
   if (!input) return exit_failed;
   ProgressLine progress;
   show_iterations(input->request, progress);
-  auto robust = spread.is_none() ? process::design_cycle(input->request).map(as_robust)
-                                 : process::design_robust(input->request, spread);
+  const auto cycle = jobs::designed_cycle(input->request, spread);
   progress.clear();
-  if (!robust) return refused(options, robust.error());
-  const CycleDesign* const design = &robust->design;
-  if (!options.out.empty()) {
-    ControlFile file = input->control.value_or(ControlFile{input->request.process, {}, {}});
-    file.law = design->law;
-    write_text_file(options.out, process::control_text(file));
-  }
-  if (!options.program.empty()) {
-    write_program(options.program, options, input->request, design->law,
-                  design->spark_out_revolutions);
-  }
-  return report(options, input->request, *design, robust->corners);
+  if (!cycle) return refused(options, cycle.error());
+  if (!options.out.empty()) write_text_file(options.out, jobs::control_text(*input, *cycle));
+  if (!options.program.empty())
+    write_program(options, input->request, cycle->design.law, cycle->design.spark_out_revolutions);
+  return report(options, *cycle);
 }
 
 int run_verify(const GrindOptions& options) {
   auto input = read_control_input(options);
   if (!input) return exit_failed;
   if (!options.out.empty()) write_text_file(options.out, process::control_text(*input->control));
-  input->request.simulation.time_max_s = verified_time_max_s;
   ProgressLine progress;
   show_iterations(input->request, progress);
-  const CycleDesign design = process::assessed_cycle(input->request, input->control->law);
+  const GrindCycle cycle = jobs::assessed_cycle(input->request, input->control->law);
   progress.clear();
-  return report(options, input->request, design);
+  return report(options, cycle);
 }
 
 int run_program(const GrindOptions& options) {
@@ -159,10 +145,10 @@ int run_program(const GrindOptions& options) {
   if (!input) return exit_failed;
   const DesignRequest& request = input->request;
   const process::InfeedLaw& law = input->control->law;
-  write_program(options.program, options, request, law, request.simulation.spark_out_revolutions);
+  write_program(options, request, law, request.simulation.spark_out_revolutions);
   const process::Findings findings =
       process::verify_cycle(request.process, law, request.simulation, request.limits).findings;
-  print_findings_of_process(findings);
+  print_findings(findings);
   return process::has_errors(findings) ? exit_failed : 0;
 }
 

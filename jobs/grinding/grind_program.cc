@@ -1,4 +1,4 @@
-#include "client/offline/grind/grind_program.h"
+#include "jobs/grinding/grind_program.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "base/place.h"
 #include "config/files/machine_file.h"
 
-namespace stanok::client {
+namespace stanok::jobs {
 namespace {
 
 using channels::ChannelConfig;
@@ -50,41 +50,54 @@ void check_speed(const MachineConfig& machine, int id, const char* what, double 
                   speed_rpm, id, machine.name, spindle->speed_min, spindle->speed_max));
 }
 
-// Places between the increments of the axis would be switched at the next one.
-void check_increments(const channels::AxisConfig& axis, const process::InfeedLaw& law) {
+// Places between the increments of the axis would be switched at the next one; empty: there is
+// none.
+std::string increment_warning(const channels::AxisConfig& axis, const process::InfeedLaw& law) {
   constexpr double part_of_increment = 1e-3;
   for (const process::InfeedRow& row : law) {
     const double increments = row.x_mm / axis.resolution;
     if (std::abs(increments - std::round(increments)) <= part_of_increment) continue;
-    fmt::print(stderr, "warning: X {} lies between two increments of axis {}, {:g} mm\n", row.x_mm,
-               axis.name, axis.resolution);
-    return;
+    return fmt::format("X {} lies between two increments of axis {}, {:g} mm", row.x_mm, axis.name,
+                       axis.resolution);
+  }
+  return "";
+}
+
+// What the machine adds to a program: spindle numbers and the speed of the wheel.
+void add_spindles(process::ProgramOptions& program, const GrindProgramRequest& request,
+                  const MachineConfig& machine, const ChannelConfig& channel) {
+  if (channel.spindles.empty()) {
+    throw std::runtime_error("channel " + std::to_string(channel.id) + " of " + machine.name +
+                             " has no spindle that turns the part");
+  }
+  const process::GrindingProcess& process = request.process;
+  program.part_spindle = channel.spindles.front();
+  check_speed(machine, program.part_spindle, "part", process.part_speed_rpm);
+  if (channel.spindles.size() > 1) {
+    program.wheel_spindle = channel.spindles[1];
+    program.wheel_speed_rpm = std::floor(request.machine.wheel_speed_m_per_s * 60.0e3 /
+                                         (2.0 * std::numbers::pi * process.wheel_radius_mm));
+    check_speed(machine, program.wheel_spindle, "wheel", program.wheel_speed_rpm);
   }
 }
 
 }  // namespace
 
-process::ProgramOptions program_options(const process::GrindingProcess& process,
-                                        const process::InfeedLaw& law,
-                                        const GrindMachineOptions& options) {
+GrindProgram grind_program(const GrindProgramRequest& request) {
+  GrindProgram made;
   process::ProgramOptions program;
-  if (options.machine_file.empty()) return program;
-  const MachineConfig machine = config::read_machine_file(options.machine_file).machine;
-  const ChannelConfig& channel = grind_channel(machine, options.channel);
-  check_increments(infeed_axis(machine, channel), law);
-  if (channel.spindles.empty()) {
-    throw std::runtime_error("channel " + std::to_string(channel.id) + " of " + machine.name +
-                             " has no spindle that turns the part");
+  if (!request.machine.machine_file.empty()) {
+    const MachineConfig machine = config::read_machine_file(request.machine.machine_file).machine;
+    const ChannelConfig& channel = grind_channel(machine, request.machine.channel);
+    const std::string warning = increment_warning(infeed_axis(machine, channel), request.law);
+    if (!warning.empty()) made.warnings.push_back(warning);
+    add_spindles(program, request, machine, channel);
   }
-  program.part_spindle = channel.spindles.front();
-  check_speed(machine, program.part_spindle, "part", process.part_speed_rpm);
-  if (channel.spindles.size() > 1) {
-    program.wheel_spindle = channel.spindles[1];
-    program.wheel_speed_rpm = std::floor(options.wheel_speed_m_per_s * 60.0e3 /
-                                         (2.0 * std::numbers::pi * process.wheel_radius_mm));
-    check_speed(machine, program.wheel_spindle, "wheel", program.wheel_speed_rpm);
-  }
-  return program;
+  program.title = request.title;
+  program.spark_out_s = request.spark_out_revolutions * process::revolution_s(request.process);
+  program.gauge_margin_mm = request.gauge_margin_mm;
+  made.text = process::part_program(request.process, request.law, program);
+  return made;
 }
 
-}  // namespace stanok::client
+}  // namespace stanok::jobs
