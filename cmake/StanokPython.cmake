@@ -5,8 +5,7 @@
 # are missing (tools/install-packages.sh python) it is left out; with sanitizers too, whose run-time parts
 # would have to be in the interpreter.
 set(STANOK_PYTHON /usr/bin/python3 CACHE FILEPATH "Interpreter for which the Python module is built")
-set(python_layers runtime jobs client/offline/check client/offline/interpret client/offline/simulate
-                  client/offline/log client/offline/grind client/offline/process)
+set(python_layers runtime jobs)
 string(JOIN " " python_line python/native ${python_layers})
 set_property(GLOBAL APPEND PROPERTY STANOK_LAYERS "${python_line}")
 set_property(GLOBAL APPEND PROPERTY STANOK_LAYERS "python python/native")

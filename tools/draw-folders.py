@@ -27,7 +27,7 @@ BESIDE = {
     "to build and test": ["tests", "benchmarks", "tools", "cmake", "packaging"],
 }
 # Doors that are no C++ library: what they hold on to.
-OTHER_EDGES = {"panel": ["protocol"], "opcua": ["protocol"], "python": ["client", "jobs"]}
+OTHER_EDGES = {"panel": ["protocol"], "opcua": ["protocol"], "python": ["jobs"]}
 WHAT = {
     "base": "units, catalogue, rings", "lang": "programs to commands", "kinematics": "axes from points",
     "motion": "path and speed", "process": "science of the cut", "channels": "run, queue, cycle",

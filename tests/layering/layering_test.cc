@@ -187,6 +187,17 @@ TEST(Layering, TheOperatorsClientKnowsTheProtocolAndNoMachine) {
   EXPECT_EQ(read_layers(layering).at("client/operator"), known);
 }
 
+// What a command computes is a job, which the daemon and Python share with it.
+TEST(Layering, NothingIncludesTheCommandLine) {
+  const auto is_of_client = [](const std::string& library) {
+    return library == "client" || library.starts_with("client/");
+  };
+  for (const auto& [library, dependencies] : read_layers(layering)) {
+    if (is_of_client(library)) continue;
+    EXPECT_TRUE(std::ranges::none_of(dependencies, is_of_client)) << library;
+  }
+}
+
 TEST(Layering, ABreachIsFoundAndNamed) {
   const Layers layers{
       {"base", {"base"}}, {"lang", {"base", "lang"}}, {"motion", {"base", "motion"}}};
