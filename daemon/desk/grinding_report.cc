@@ -5,22 +5,20 @@
 #include "config/files/grinding_file.h"
 #include "config/text/config_error.h"
 #include "daemon/desk/program_desk.h"
+#include "jobs/grinding/grind_cycle.h"
 #include "jobs/grinding/grinding_samples.h"
 #include "process/grinding/control_file.h"
-#include "process/grinding/cycle_design.h"
 
 namespace stanok::daemon {
 namespace {
 
 using nlohmann::json;
-using process::CycleDesign;
 using process::DesignRequest;
 using protocol::Failure;
 using protocol::FailureKind;
 
 constexpr double um_per_mm = 1000.0;
 constexpr std::size_t samples_max = 600;
-constexpr double verified_time_max_s = 3600.0;  // of a table that is given
 
 Unexpected<Failure> wrong_sheet(const config::ConfigFault& fault, const std::string& name) {
   const int line = static_cast<int>(fault.line);
@@ -55,23 +53,23 @@ json law_json(const process::InfeedLaw& law) {
   return rows;
 }
 
-json time_or_null(double time_s) {
-  return time_s > 0.0 ? json(time_s) : json(nullptr);
+json time_or_null(const std::optional<double>& time_s) {
+  return time_s ? json(*time_s) : json(nullptr);
 }
 
-json answer(const std::string& name, const DesignRequest& request, const CycleDesign& design) {
+json answer(const std::string& name, const jobs::GrindCycle& cycle) {
+  const auto& [request, design, corners] = cycle;
   const process::Verification& verification = design.verification;
   const process::PlungeRun& run = verification.run;
+  const double constant_s = design.constant_safe_time_s;
   return {{"program", name},
           {"ok", !process::has_errors(verification.findings)},
           {"findings", findings_json(verification.findings)},
           {"time_s", run.time_s},
           {"least_time_s", design.least_time_s},
-          {"constant_time_s", time_or_null(design.constant_safe_time_s)},
-          {"three_step_time_s", time_or_null(design.three_step_time_s)},
-          {"continuous_time_s", design.continuous.run.size_reached_s
-                                    ? json(*design.continuous.run.size_reached_s)
-                                    : json(nullptr)},
+          {"constant_time_s", constant_s > 0.0 ? json(constant_s) : json(nullptr)},
+          {"three_step_time_s", time_or_null(jobs::three_step_time_s(design))},
+          {"continuous_time_s", time_or_null(jobs::continuous_time_s(design))},
           {"ratio_max", verification.boundary.ratio},
           {"burn_ratio_max", verification.burn.ratio},
           {"residual_um", um_per_mm * run.residual_mm},
@@ -83,28 +81,26 @@ json answer(const std::string& name, const DesignRequest& request, const CycleDe
           {"samples", samples_json(request, run)}};
 }
 
-json refused_design(const std::string& name, const process::Findings& findings) {
+json refusal(const std::string& name, const process::Findings& findings) {
   return {{"program", name}, {"ok", false}, {"findings", findings_json(findings)}};
 }
 
 CommandResult designed(const StoredProgram& program, const std::string& name) {
   try {
-    const DesignRequest request = config::read_grinding_file(program.path);
-    const auto design = process::design_cycle(request);
-    return design ? answer(name, request, *design) : refused_design(name, design.error());
+    const auto cycle = jobs::designed_cycle(config::read_grinding_file(program.path), {});
+    return cycle ? answer(name, *cycle) : refusal(name, cycle.error());
   } catch (const config::ConfigError& error) {
     return wrong_sheet(error.faults().front(), name);
   }
 }
 
-CommandResult verified_control(const StoredProgram& program, const std::string& name) {
+CommandResult verified(const StoredProgram& program, const std::string& name) {
   auto file = process::read_control_text(program.text, name);
   if (!file) return Unexpected<Failure>(failure_of_diagnostic(file.error().front()));
   DesignRequest request;
   request.allowance_mm = file->allowance_mm();
   request.process = file->process;
-  request.simulation.time_max_s = verified_time_max_s;
-  return answer(name, request, process::assessed_cycle(request, file->law));
+  return answer(name, jobs::assessed_cycle(request, file->law));
 }
 
 }  // namespace
@@ -118,7 +114,7 @@ void ProgramDesk::grinding(int session, const json& parameters, Answer answer) {
         const auto program = folder.read(name);
         if (!program) return Unexpected<Failure>(program.error());
         const bool is_sheet = program->path.extension() == ".toml";
-        return is_sheet ? designed(*program, name) : verified_control(*program, name);
+        return is_sheet ? designed(*program, name) : verified(*program, name);
       },
       std::move(answer));
 }
