@@ -120,7 +120,7 @@ py::tuple study(const GrindOptions& options) {
   const auto part = jobs::read_study_part(options.part);
   if (!part)
     throw std::invalid_argument("'" + options.part +
-                                "' is no part K of N of a study, with K from 1 to N");
+                                "' is not a part K of N of a study, with K from 1 to N");
   const GrindInput input = value_or_raise(jobs::grind_input(options));
   Interruption interruption;
   const auto points = without_lock(interruption, [&] {
