@@ -37,6 +37,9 @@ class RotaryScheme : public FormulaScheme<RotaryScheme> {
   void forward(PointMode mode, const ToolVector& tool, const AxisVector<double>& axes_M,
                AxisVector<double>& point_B) const RT_SAFE override;
   [[nodiscard]] unsigned head_axes() const RT_SAFE override { return chains_.head.axes(); }
+  [[nodiscard]] unsigned leading_axes() const RT_SAFE override {
+    return chains_.head.axes() | chains_.table.axes();
+  }
   [[nodiscard]] DirectionSolution directions(const Vector3<double>& tool_B) const RT_SAFE override;
   [[nodiscard]] std::array<Vector3<double>, 3> spindle_axes(const AxisVector<double>& point_B) const
       RT_SAFE override;

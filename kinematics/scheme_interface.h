@@ -71,6 +71,9 @@ class Scheme {
   [[nodiscard]] virtual unsigned winding_axes() const RT_SAFE { return 0; }
   // Rotary axes that turn the tool, as bits.
   [[nodiscard]] virtual unsigned head_axes() const RT_SAFE { return 0; }
+  // Rotary axes through which it leads the tip in PointMode::tip, as bits; 0: that mode is the same
+  // as PointMode::axes.
+  [[nodiscard]] virtual unsigned leading_axes() const RT_SAFE { return 0; }
   // How far the point is from where axes would have to jump, mm; infinite where they never do.
   [[nodiscard]] virtual double distance_to_singularity(const AxisVector<double>&) const RT_SAFE {
     return std::numeric_limits<double>::infinity();

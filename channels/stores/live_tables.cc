@@ -479,6 +479,11 @@ lang::Alignment ChannelTables::alignment(const lang::AlignmentWish& wish) const 
   return answer;
 }
 
+lang::AxisSet ChannelTables::leading_axes() const {
+  return scheme_ == nullptr ? Tables::leading_axes()
+                            : static_cast<lang::AxisSet>(scheme_->leading_axes());
+}
+
 std::optional<lang::AxisValues> ChannelTables::carried_by_table(
     const lang::AxisValues& point_B, const lang::AxisValues& position_B) const {
   if (scheme_ == nullptr) return std::nullopt;

@@ -173,6 +173,7 @@ class ChannelTables final : public lang::Tables {
   }
 
   [[nodiscard]] lang::AxisSet axes_of_scheme() const override { return axes_of_scheme_; }
+  [[nodiscard]] lang::AxisSet leading_axes() const override;
 
   [[nodiscard]] lang::Alignment alignment(const lang::AlignmentWish& wish) const override;
   [[nodiscard]] std::optional<lang::AxisValues> carried_by_table(

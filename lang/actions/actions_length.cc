@@ -104,6 +104,32 @@ void set_by_axis_words(ActiveBlock& block) {
   change_length(block, length);
 }
 
+// The first rotary axis that turns tool or workpiece without being taken into account for the tip.
+std::optional<AxisIndex> axis_not_led(const ActiveBlock& block) {
+  const AxisSet led = block.tables.leading_axes();
+  const AxisSet taking_part = block.tables.axes_of_scheme();
+  for (std::size_t i = 0; i < block.channel.axes.size(); ++i) {
+    const bool turns = block.channel.axes[i].rotary && (taking_part & axis_bit(i)) != 0 &&
+                       !is_spindle_now(block, i);
+    if (turns && (led & axis_bit(i)) == 0) return i;
+  }
+  return std::nullopt;
+}
+
+bool can_lead_tip(ActiveBlock& block, CodeNumber code) {
+  const auto axis = axis_not_led(block);
+  if (!axis) return true;
+  const std::string word = block.channel.axes[*axis].word;
+  block
+      .fail("E4353", {'G', code, {}},
+            "`" + code_text('G', code) + "` cannot lead the tool tip: the kinematic scheme does " +
+                "not take " + word + " into account",
+            "the tip is not led")
+      .help.emplace_back("select a scheme of type head_table, head_head or table_table that has " +
+                         word + " with `#kinematics`, or use `G43`");
+  return false;
+}
+
 LengthMode mode_of(CodeNumber code) {
   if (code == g(49)) return LengthMode::off;
   return leads_tip(code) ? LengthMode::tip : LengthMode::length;
@@ -216,7 +242,9 @@ void use_tool_offset(ActiveBlock& block, int tool, int edge) {
 }
 
 void compensate_length(ActiveBlock& block, CodeNumber code) {
-  if (leads_tip(code) && excluded_by_mode(block, code, {Exclusion::carried_offset})) return;
+  if (leads_tip(code) &&
+      (excluded_by_mode(block, code, {Exclusion::carried_offset}) || !can_lead_tip(block, code)))
+    return;
   if (code == g(49)) return change_length_of_block(block, ToolLength{});
   if (code == g(43, 1)) return set_by_axis_words(block);
   if (code == g(43, 2) && !block.has('H')) {

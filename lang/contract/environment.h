@@ -181,6 +181,8 @@ class Tables {
   [[nodiscard]] virtual MachineReading machine_reading() const = 0;
   // Axes of the channel that take part in its active scheme.
   [[nodiscard]] virtual AxisSet axes_of_scheme() const { return static_cast<AxisSet>(~0U); }
+  // Rotary axes through which the active scheme leads the tool tip (G43.4).
+  [[nodiscard]] virtual AxisSet leading_axes() const { return static_cast<AxisSet>(~0U); }
   // Where the rotary axes of the active scheme have to stand for a direction of the tool.
   [[nodiscard]] virtual Alignment alignment(const AlignmentWish&) const { return {}; }
   // X, Y and Z of the spindle as they lie in B with the axes at `position_B`.

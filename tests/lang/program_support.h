@@ -62,6 +62,7 @@ class MemoryTables : public Tables {
   std::map<int, Tool> tools;
   MachineReading reading;
   AxisSet in_scheme = static_cast<AxisSet>(~0U);
+  AxisSet led = static_cast<AxisSet>(~0U);
 
   [[nodiscard]] std::optional<AxisValues> work_offset(int number) const override {
     const auto found = offsets.find(number);
@@ -74,6 +75,7 @@ class MemoryTables : public Tables {
   }
   [[nodiscard]] MachineReading machine_reading() const override { return reading; }
   [[nodiscard]] AxisSet axes_of_scheme() const override { return in_scheme; }
+  [[nodiscard]] AxisSet leading_axes() const override { return led; }
   // A head that B tilts about Y over a table that C turns about Z: the tool points to
   // (sin B cos C, -sin B sin C, cos B). B reaches 100 deg to both sides.
   [[nodiscard]] Alignment alignment(const AlignmentWish& wish) const override {

@@ -1,5 +1,6 @@
 // Plain ISO programs: modal state, positions, order of effects.
 #include <cmath>
+#include <string>
 
 #include "tests/lang/program_support.h"
 
@@ -149,6 +150,24 @@ TEST_F(PlainProgram, LengthsAreOnAxesOfTheSchemeOnly) {
   const auto list = moves("G43 H1\nG91 G0 Z1\nM30\n");
   ASSERT_EQ(list.size(), 1u);
   EXPECT_EQ(list[0].end[2], -90.0 + 1.0);
+}
+
+// A fourth axis of the channel would turn the workpiece away from the tip.
+TEST_F(PlainProgram, LeadsTheTipOnlyWhereTheSchemeKnowsEveryRotaryAxis) {
+  for (const char* code : {"G43.4 H0", "G43.5 H0"}) {
+    SCOPED_TRACE(code);
+    tables.led = 0;
+    run(std::string(code) + "\nG1 B90 F1000\nM30\n");
+    EXPECT_EQ(error.code, "E4353");
+    EXPECT_EQ(error.place.line, 1);
+    EXPECT_NE(error.message.find("B into account"), std::string::npos) << error.message;
+    tables.in_scheme = 0b111;  // the rotary axes are parked
+    run(std::string(code) + "\nM30\n");
+    EXPECT_EQ(error.code, "");
+    tables.in_scheme = tables.led = static_cast<AxisSet>(~0U);
+    run(std::string(code) + "\nM30\n");
+    EXPECT_EQ(error.code, "");
+  }
 }
 
 TEST_F(PlainProgram, KeepsThePointWhileTheWorkOffsetChanges) {
