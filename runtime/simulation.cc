@@ -204,6 +204,8 @@ class Simulation {
     for (CycleObserver* observer : observers_) observer->observe(*output_);
     channels::Event event;
     while (machine_.events().pop(event)) {
+      // A cut without its force has not become the part, whatever the run says of itself.
+      lacks_force_ = lacks_force_ || event.code.view() == "W615";
       for (CycleObserver* observer : observers_) observer->observe(event);
     }
     channels::OperatorReply reply;
@@ -228,7 +230,7 @@ class Simulation {
     result_.alarms = machine_.alarms();
     result_.load_diagnostics = machine_.load_diagnostics();
     result_.ok = result_.refusals.empty() && result_.alarms.empty() && !result_.until_reached &&
-                 machine_.is_idle();
+                 machine_.is_idle() && !lacks_force_;
     for (const channels::RunReport& run : result_.runs) result_.ok = result_.ok && run.ok;
     if (result_.refusals.empty() && result_.alarms.empty() && !result_.until_reached)
       name_stuck_channels();
@@ -257,6 +259,7 @@ class Simulation {
   ProcessReport process_;
   channels::CycleOutput before_first_{};
   const channels::CycleOutput* output_ = &before_first_;
+  bool lacks_force_ = false;
   std::vector<channels::OperatorEvent> events_;
   std::vector<int> computing_steps_;  // by channel, without having given anything since
   std::vector<bool> has_computed_;    // by channel, since the latest cycle
