@@ -21,6 +21,8 @@ struct ForceControlConfig {
   double power_answer_s = 0.3;     // to a change of the feed, beyond chip and lag
   double air_time_s = 5.0;         // longest air cut: beyond it the missing force is told
   double lighter_max = 0.0;        // part by which the cut may become lighter; 0: any
+  double feed_step = 0.1;          // part by which the feed rises before the power has answered
+  bool asks_downwards = true;      // once a minute, by less feed, whether the power answers
   int gaps_per_turn = 0;           // of an interrupted cut; 0: they are looked for
   SensorFault on_sensor_fault = SensorFault::hold;
 
