@@ -489,6 +489,10 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "check whether the tool is broken and whether there is a workpiece, and check the idle power "
      "and S_max in process status; air_time of [process] is the longest air cut",
      "the feed continues; hold it if the tool may be broken"},
+    {"W616", "the feed is limited because the cut became lighter than expected", Reaction::warning,
+     "if the cut is meant to become that much lighter, set lighter_max of [process]; otherwise "
+     "check the gain of the power sensor",
+     "the feed stays at the value that lighter_max allows"},
     {"W710", "a program is not included", Reaction::warning,
      "#include it so that it is checked when this program is loaded", "no action is needed"},
     {"W720", "a recording is not complete", Reaction::warning,

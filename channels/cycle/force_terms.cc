@@ -46,11 +46,26 @@ SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag, ChannelLo
     case ForceEvent::sensor_lost_slow:
       log.alarm("A4010", "the power sensor gives no value: the feed is S_min", tag);
       break;
-    case ForceEvent::sensor_stuck:
-      log.alarm("A4011", "the power does not follow the feed: feed hold", tag);
+    case ForceEvent::no_answer:
+      log.alarm("A4011", "the power has not followed three changes of the feed: feed hold", tag);
       return SensorLoss::holds_feed;
-    case ForceEvent::sensor_stuck_slow:
-      log.alarm("A4011", "the power does not follow the feed: the feed is S_min", tag);
+    case ForceEvent::no_answer_slow:
+      log.alarm("A4011", "the power has not followed three changes of the feed: the feed is S_min",
+                tag);
+      break;
+    case ForceEvent::stays_high:
+      log.alarm("A4011", "the power has not followed the feed down to S_min: feed hold", tag);
+      return SensorLoss::holds_feed;
+    case ForceEvent::stays_high_slow:
+      log.alarm("A4011", "the power has not followed the feed down to S_min: the feed is S_min",
+                tag);
+      break;
+    case ForceEvent::below_idle:
+      log.alarm("A4011", "the power is lower than that of the idling spindle: feed hold", tag);
+      return SensorLoss::holds_feed;
+    case ForceEvent::below_idle_slow:
+      log.alarm("A4011", "the power is lower than that of the idling spindle: the feed is S_min",
+                tag);
       break;
     case ForceEvent::vibration_lost:
       log.tell("W611", "the vibration sensor gives no value: no oscillation is formed", tag);
@@ -69,6 +84,12 @@ SensorLoss tell(motion::ForceEvent event, const motion::BlockTag& tag, ChannelLo
     case ForceEvent::force_missing:
       log.tell("W615",
                "the tool has moved at feed without the set force for longer than an air cut", tag);
+      break;
+    case ForceEvent::cut_is_lighter:
+      log.tell("W616",
+               "the cut is lighter than lighter_max allows, or the sensor has lost gain: the feed "
+               "rises no further",
+               tag);
       break;
   }
   return SensorLoss::none;

@@ -18,8 +18,9 @@ const Keys<ProcessFile>& process_keys() {
   using C = ForceControlConfig;
   static const Keys<F> keys = {
       {"channels", at<&F::channels>, optional, "",
-       "ids of the channels whose master spindle has a power sensor for force control", any,
-       "all with axes and a spindle"},
+       "ids of the channels, lathes or grinders, whose master spindle has a power sensor for force "
+       "control",
+       any, "all lathes and grinders with axes and a spindle"},
       {"feed_min", at<&F::control, &C::feed_min>, optional, "mm/s",
        "lowest feed of force control; 0: a twentieth of the programmed feed", not_negative},
       {"feed_max", at<&F::control, &C::feed_max>, optional, "mm/s",
@@ -37,17 +38,23 @@ const Keys<ProcessFile>& process_keys() {
        "below this fraction of the commanded power the tool counts as out of the cut",
        from(0.01, 0.9)},
       {"power_answer", at<&F::control, &C::power_answer_s>, optional, "s",
-       "time in which the power must follow a change of the feed in the cut, in addition to half a "
-       "revolution and three lags; if it does not, the sensor counts as stuck",
+       "time that the power takes to show a change of the feed, beyond a revolution and three lags",
        from(0.0, 10.0)},
       {"air_time", at<&F::control, &C::air_time_s>, optional, "s",
        "longest air cut at working feed; a force that is missing for longer, in the air or at "
        "feed_max, is reported (W615)",
        positive},
       {"lighter_max", at<&F::control, &C::lighter_max>, optional, "",
-       "fraction by which the cut may become lighter after its entry; if the power drops by more, "
-       "the sensor counts as having lost gain (A4011); 0: no check",
-       from(0.0, 0.95)},
+       "part by which the cut may become lighter than it was, or than the programmed feed means: "
+       "the feed rises no further where the power shows more of it, since a sensor that loses gain "
+       "shows the same (W616); 1: any",
+       from(0.0, 1.0)},
+      {"feed_step", at<&F::control, &C::feed_step>, optional, "",
+       "part by which the feed may rise above the last feed to which the power has answered",
+       from(0.02, 0.5)},
+      {"question", at<&F::control, &C::asks_downwards>, optional, "",
+       "once a minute of steady cut the feed is lowered by feed_step for a moment, to see whether "
+       "the power answers; false where that would mark the surface"},
       {"gaps_per_turn", at<&F::control, &C::gaps_per_turn>, optional, "",
        "for interrupted cuts: evenly spaced gaps of the workpiece, or teeth of the tool, per "
        "revolution of the spindle; 0: the control finds their number",
@@ -140,8 +147,17 @@ void mark_channels(const toml::table& table, const Integers& wanted,
                 "there is no channel " + std::to_string(wanted[i]) + "; name a [[channel]]");
   }
   for (channels::ChannelConfig& channel : machine.channels) {
-    const bool is_wanted = wanted.empty() || std::ranges::find(wanted, channel.id) != wanted.end();
-    channel.force_control = is_wanted && !channel.axes.empty() && !channel.spindles.empty();
+    const auto named = std::ranges::find(wanted, channel.id);
+    const bool is_wanted = wanted.empty() || named != wanted.end();
+    const bool has_radius = channel.kind != lang::ChannelKind::mill;
+    if (named != wanted.end() && !has_radius) {
+      scope.fault(place_of(table, "channels", static_cast<std::size_t>(named - wanted.begin())),
+                  "channel " + std::to_string(channel.id) +
+                      " is a mill; force control takes the cutting radius from the X axis, which "
+                      "holds on lathes and grinders only");
+    }
+    channel.force_control =
+        is_wanted && has_radius && !channel.axes.empty() && !channel.spindles.empty();
   }
 }
 

@@ -54,6 +54,20 @@ constexpr auto force_state_names = enum_names<motion::ForceState>({
     {motion::ForceState::fault, "fault"},
 });
 
+constexpr auto doubt_names = enum_names<motion::PowerDoubt>({
+    {motion::PowerDoubt::none, "none"},
+    {motion::PowerDoubt::lost, "lost"},
+    {motion::PowerDoubt::below_idle, "below_idle"},
+    {motion::PowerDoubt::no_answer, "no_answer"},
+    {motion::PowerDoubt::stays_high, "stays_high"},
+});
+
+constexpr auto reference_names = enum_names<motion::CutReference>({
+    {motion::CutReference::none, "none"},
+    {motion::CutReference::programmed, "programmed"},
+    {motion::CutReference::cut, "cut"},
+});
+
 // JSON has no word for "not a number".
 json finite_or_null(double value) {
   return std::isfinite(value) ? json(value) : json(nullptr);
@@ -77,7 +91,10 @@ json force_control(const channels::ProcessOutput& process) {
           {"level_um", force.level_um},
           {"reduced_mass_kg", force.reduced_mass_kg},
           {"oscillation_n", force.oscillation_n},
-          {"oscillation_hz", force.oscillation_hz}};
+          {"oscillation_hz", force.oscillation_hz},
+          {"doubt", doubt_names[force.doubt]},
+          {"reference", reference_names[force.reference]},
+          {"force_worst_n", force.force_worst_n > 0.0 ? json(force.force_worst_n) : json(nullptr)}};
 }
 
 }  // namespace

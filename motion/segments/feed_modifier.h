@@ -67,13 +67,18 @@ enum class ForceEvent : std::uint8_t {
   none,
   sensor_lost,          // the feed is to be held
   sensor_lost_slow,     // the feed is S_min
-  sensor_stuck,         // the feed is to be held
-  sensor_stuck_slow,    // the feed is S_min
+  no_answer,            // of the power to the feed; the feed is to be held
+  no_answer_slow,       // the feed is S_min
+  stays_high,           // the power, although the feed fell; the feed is to be held
+  stays_high_slow,      // the feed is S_min
+  below_idle,           // the power; the feed is to be held
+  below_idle_slow,      // the feed is S_min
   vibration_lost,       // nothing is formed from it
   frequency_shifted,    // of the oscillation, away from a multiple of the spindle's
   oscillation_limited,  // the force cannot swing as far as asked
   overload_at_feed_min,
-  force_missing,  // in the air, or too low at S_max, for longer than an air cut lasts
+  force_missing,   // in the air, or too low at S_max, for longer than an air cut lasts
+  cut_is_lighter,  // than the reference by more than it may be: the feed rises no further
 };
 
 enum class ForceState : std::uint8_t {
@@ -82,6 +87,22 @@ enum class ForceState : std::uint8_t {
   holding,     // rapid, air, or what cannot be controlled: the controller is held
   regulating,
   fault,  // a sensor gives no trustworthy value
+};
+
+// Why the power is not trusted.
+enum class PowerDoubt : std::uint8_t {
+  none,
+  lost,        // not a number
+  below_idle,  // for longer than a spindle at speed may draw so little
+  no_answer,   // three times to more, or less, feed
+  stays_high,  // although the feed has fallen to S_min
+};
+
+// Against which the cut may be lighter by `lighter_max`.
+enum class CutReference : std::uint8_t {
+  none,        // no cut yet
+  programmed,  // the setpoint at the programmed feed
+  cut,         // what the cut took before
 };
 
 // Values of the control for displays and logs.
@@ -103,6 +124,9 @@ struct ForceStatus {
   std::uint32_t captures = 0;  // of the idle power so far
   double level_um = 0.0;
   double reduced_mass_kg = 0.0;
+  PowerDoubt doubt = PowerDoubt::none;
+  CutReference reference = CutReference::none;
+  double force_worst_n = 0.0;  // of an unchanged cut, whatever the sensor shows; 0: without a bound
 };
 
 class FeedModifier {

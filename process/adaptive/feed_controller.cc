@@ -53,7 +53,7 @@ void FeedController::advance(const FeedControllerInputs& inputs) RT_SAFE {
   if (is_scaled_) return;
   // More feed only when the power is that of a full chip at the feed asked for.
   const bool is_settled = std::min(cutting_s_, following_s_) >= settling_s;
-  if (error < 0.0 && !(is_settled && inputs.may_rise)) return;
+  if (error < 0.0 && !is_settled) return;
   const double dead_time_s = 0.5 * inputs.revolution_s + config_.power_lag_s + inputs.delay_s;
   const double rate = config_.gain / dead_time_s / config_.feed_exponent;
   const double change = -rate * std::min(error, error_high) * inputs.cycle_s;

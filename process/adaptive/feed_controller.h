@@ -20,7 +20,6 @@ struct FeedControllerInputs {
   double deviation = 0.0;  // U / N_z
   bool cuts = false;       // at working feed, with power enough to be in the workpiece
   bool follows = false;    // the path goes at the feed asked for
-  bool may_rise = true;    // the power answers to the feed
   double feed_min = 0.0;   // clamps, mm per revolution
   double feed_max = 0.0;
   double delay_s = 0.0;  // of the deviation, beyond chip and sensor

@@ -18,6 +18,23 @@ constexpr double follows_within = 0.05;
 // At S_max the force is too low when it is lower by this part of its setpoint.
 constexpr double low_part = 0.1;
 
+ForceEvent event_of(motion::PowerDoubt doubt, SensorFault then) RT_SAFE {
+  const bool is_slow = then == SensorFault::feed_min;
+  switch (doubt) {
+    case motion::PowerDoubt::none:
+      break;
+    case motion::PowerDoubt::lost:
+      return is_slow ? ForceEvent::sensor_lost_slow : ForceEvent::sensor_lost;
+    case motion::PowerDoubt::below_idle:
+      return is_slow ? ForceEvent::below_idle_slow : ForceEvent::below_idle;
+    case motion::PowerDoubt::no_answer:
+      return is_slow ? ForceEvent::no_answer_slow : ForceEvent::no_answer;
+    case motion::PowerDoubt::stays_high:
+      return is_slow ? ForceEvent::stays_high_slow : ForceEvent::stays_high;
+  }
+  return ForceEvent::none;
+}
+
 }  // namespace
 
 ForceControl::ForceControl(const ForceControlConfig& config)
@@ -25,7 +42,7 @@ ForceControl::ForceControl(const ForceControlConfig& config)
       compensator_(config),
       controller_(config),
       law_(config),
-      watch_(config),
+      observer_(config),
       interruption_(config) {
   amplifier_.set_level(config.vibration_level_um);
 }
@@ -59,7 +76,7 @@ bool ForceControl::command(const ForceCommand& command) RT_SAFE {
 void ForceControl::switch_off() RT_SAFE {
   status_ = {};
   controller_.reset();
-  watch_.reset();
+  observer_.reset();
   const double force_n = law_.mean_n();
   law_ = SetpointLaw(config_);
   law_.set_mean(force_n);
@@ -74,7 +91,7 @@ void ForceControl::command_force(const ForceCommand& command) RT_SAFE {
   if (command.force_n > 0.0) set_force(command.force_n);
   if (law_.mean_n() <= 0.0) return;
   clamps_ = FeedClamps(command);
-  watch_.reset();
+  observer_.reset();
   events_.tell_again();
   status_.state = ForceState::idle_power;
 }
@@ -83,8 +100,10 @@ void ForceControl::command_force(const ForceCommand& command) RT_SAFE {
 void ForceControl::set_force(double force_n) RT_SAFE {
   const double before = law_.mean_n();
   law_.set_mean(force_n);
-  if (is_on() && before > 0.0)
-    controller_.scale(std::pow(force_n / before, 1.0 / config_.feed_exponent));
+  if (!is_on() || before <= 0.0) return;
+  const double factor = std::pow(force_n / before, 1.0 / config_.feed_exponent);
+  controller_.scale(factor);
+  observer_.scale(factor);
 }
 
 // What an operator sets holds from now on, beyond the program.
@@ -128,7 +147,7 @@ motion::FeedDemand ForceControl::advance(const motion::CutState& cut) RT_SAFE {
   status_.reduced_mass_kg = law_.mass_kg();
   if (!is_on()) return {};
   resolve_clamps(cut);
-  watch_sensors(cut);
+  observe(cut);
   return control(cut);
 }
 
@@ -139,29 +158,41 @@ void ForceControl::resolve_clamps(const motion::CutState& cut) RT_SAFE {
   status_.feed_min_per_s = limits->min;
 }
 
-void ForceControl::watch_sensors(const motion::CutState& cut) RT_SAFE {
+void ForceControl::observe(const motion::CutState& cut) RT_SAFE {
   const bool lost_vibration = law_.mass_kg() > 0.0 && !std::isfinite(cut.vibration_um);
   events_.set_vibration_lost(lost_vibration);
   if (status_.state == ForceState::fault) return;
   const double turns_per_s = cut.rev_per_min / s_per_min;
-  const PowerTrust trust =
-      watch_.look({.cycle_s = cut.cycle_s,
-                   .power_w = cut.power_w,
-                   .power_idle_w = status_.power_idle_w,
-                   .feed_per_rev = turns_per_s > 0.0 ? cut.path_speed / turns_per_s : 0.0,
-                   .speed_radius = computing_.omega * computing_.radius_mm,
-                   .revolution_s = turns_per_s > 0.0 ? 1.0 / turns_per_s : 0.0,
-                   .cuts = cuts_,
-                   .is_at_speed = cut.at_speed && compensator_.is_captured(),
-                   .is_at_minimum = feed_asked_ <= status_.feed_min_per_s});
-  if (trust == PowerTrust::good) return;
+  const bool turns = turns_per_s > 0.0;
+  const bool has_gaps = interruption_.is_interrupted();
+  observer_.look({.cycle_s = cut.cycle_s,
+                  .power_w = cut.power_w,
+                  .power_idle_w = status_.power_idle_w,
+                  .force_n = status_.force_n,
+                  .wanted_n = law_.mean_n(),
+                  .watt_per_newton = computing_.power_w(1.0),
+                  .feed = controller_.feed_per_rev(),
+                  .feed_max = turns ? status_.feed_max_per_s / turns_per_s : 0.0,
+                  .feed_programmed = turns ? cut.feed_programmed / turns_per_s : 0.0,
+                  .revolution_s = turns ? 1.0 / turns_per_s : 0.0,
+                  .measuring_s = has_gaps ? 1.0 / turns_per_s : 0.0,
+                  .cuts = cuts_ && turns && controller_.has_feed(),
+                  .follows = path_follows(cut),
+                  .is_at_speed = cut.at_speed && compensator_.is_captured(),
+                  .is_at_minimum = feed_asked_ <= status_.feed_min_per_s});
+  status_.doubt = observer_.doubt();
+  status_.reference = observer_.reference();
+  status_.force_worst_n = observer_.worst_part() * law_.mean_n();
+  if (status_.doubt == motion::PowerDoubt::none) return;
   status_.state = ForceState::fault;
-  const bool is_slow = config_.on_sensor_fault == SensorFault::feed_min;
-  if (trust == PowerTrust::lost) {
-    events_.note(is_slow ? ForceEvent::sensor_lost_slow : ForceEvent::sensor_lost);
-  } else {
-    events_.note(is_slow ? ForceEvent::sensor_stuck_slow : ForceEvent::sensor_stuck);
-  }
+  events_.note(event_of(status_.doubt, config_.on_sensor_fault));
+}
+
+// At the feed asked for, and at no less of it.
+bool ForceControl::path_follows(const motion::CutState& cut) const RT_SAFE {
+  const double expected = cut.feed_override * feed_asked_;
+  return !cut.has_law && cut.feed_override >= 1.0 &&
+         std::abs(cut.path_speed - expected) <= follows_within * expected;
 }
 
 motion::FeedDemand ForceControl::demand(double feed_per_s) RT_SAFE {
@@ -243,17 +274,15 @@ void ForceControl::regulate(const motion::CutState& cut, const ForceSetpoint& se
   const bool has_gaps = interruption_.is_interrupted();
   const double deviation = has_gaps ? interruption_.peak_w() - mean_w
                                     : deviation_w(cut.power_w, status_.power_idle_w, wanted_w);
-  const double expected = cut.feed_override * feed_asked_;
-  const bool follows = !cut.has_law && cut.feed_override >= 1.0 &&
-                       std::abs(cut.path_speed - expected) <= follows_within * expected;
+  const double feed_min = status_.feed_min_per_s / turns_per_s;
+  const double feed_max = std::min(status_.feed_max_per_s / turns_per_s, observer_.feed_max());
   controller_.advance({.cycle_s = cut.cycle_s,
                        .revolution_s = 1.0 / turns_per_s,
                        .deviation = mean_w > 0.0 ? deviation / mean_w : 0.0,
                        .cuts = cuts_,
-                       .follows = follows,
-                       .may_rise = !watch_.is_suspicious(),
-                       .feed_min = status_.feed_min_per_s / turns_per_s,
-                       .feed_max = status_.feed_max_per_s / turns_per_s,
+                       .follows = path_follows(cut),
+                       .feed_min = feed_min,
+                       .feed_max = std::max(feed_min, feed_max),
                        .delay_s = has_gaps ? 1.0 / turns_per_s : 0.0});
   events_.set_overloaded(controller_.is_at_minimum());
 }
@@ -261,13 +290,15 @@ void ForceControl::regulate(const motion::CutState& cut, const ForceSetpoint& se
 void ForceControl::watch_force(const motion::CutState& cut) RT_SAFE {
   const bool feeds =
       cut.is_controllable && cut.path_speed > 0.0 && cut.feed_override >= 1.0 && !cut.has_law;
-  const bool is_too_low =
-      feed_asked_ >= status_.feed_max_per_s && status_.force_n < (1.0 - low_part) * law_.mean_n();
+  const bool is_low = status_.force_n < (1.0 - low_part) * law_.mean_n();
+  const bool is_at_most = feed_asked_ >= status_.feed_max_per_s;
+  const bool is_limited = cuts_ && observer_.is_at_reference(controller_.feed_per_rev());
   const MissingForce::Inputs inputs{.cycle_s = cut.cycle_s,
                                     .is_rapid = cut.is_rapid,
                                     .feeds = feeds,
-                                    .is_low = !cuts_ || is_too_low};
-  if (missing_.look(inputs, config_.air_time_s)) events_.note(ForceEvent::force_missing);
+                                    .is_low = !cuts_ || (is_low && (is_at_most || is_limited))};
+  if (missing_.look(inputs, config_.air_time_s))
+    events_.note(is_limited ? ForceEvent::cut_is_lighter : ForceEvent::force_missing);
 }
 
 }  // namespace stanok::process

@@ -14,7 +14,7 @@
 #include "process/adaptive/interrupted_cut.h"
 #include "process/adaptive/missing_force.h"
 #include "process/adaptive/power_correction.h"
-#include "process/adaptive/power_watch.h"
+#include "process/adaptive/process_observer.h"
 #include "process/adaptive/radius_counter.h"
 #include "process/adaptive/setpoint_law.h"
 #include "process/adaptive/vibration_amplifier.h"
@@ -41,7 +41,8 @@ class ForceControl final : public motion::FeedModifier {
   [[nodiscard]] bool command_vibration(const motion::ForceCommand& command) RT_SAFE;
   [[nodiscard]] bool is_on() const RT_SAFE { return status_.state != motion::ForceState::off; }
   void resolve_clamps(const motion::CutState& cut) RT_SAFE;
-  void watch_sensors(const motion::CutState& cut) RT_SAFE;
+  void observe(const motion::CutState& cut) RT_SAFE;
+  [[nodiscard]] bool path_follows(const motion::CutState& cut) const RT_SAFE;
   [[nodiscard]] motion::FeedDemand control(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] bool is_cutting(const motion::CutState& cut) RT_SAFE;
   [[nodiscard]] ForceSetpoint form_setpoint(const motion::CutState& cut) RT_SAFE;
@@ -56,7 +57,7 @@ class ForceControl final : public motion::FeedModifier {
   FeedController controller_;         // 14
   VibrationAmplifier amplifier_;      // 17 to 20, 18 its level
   SetpointLaw law_;                   // 21
-  PowerWatch watch_;
+  ProcessObserver observer_;
   InterruptedCut interruption_;
   MissingForce missing_;
 

@@ -18,9 +18,9 @@ struct ForceControlConfig {
   double idle_coulomb_part = 0.5;  // of the idle power at speed that grows with n; the rest: n^2
   double power_min_w = 0.0;        // below it the power says nothing of the force
   double air_part = 0.1;           // of N_z: with less power the tool is in the air
-  double power_answer_s = 0.3;     // to a change of the feed, beyond chip and lag
+  double power_answer_s = 0.0;     // to a change of the feed, beyond chip and lags
   double air_time_s = 5.0;         // longest air cut: beyond it the missing force is told
-  double lighter_max = 0.0;        // part by which the cut may become lighter; 0: any
+  double lighter_max = 0.09;       // part by which the cut may become lighter than it was
   double feed_step = 0.1;          // part by which the feed rises before the power has answered
   bool asks_downwards = true;      // once a minute, by less feed, whether the power answers
   int gaps_per_turn = 0;           // of an interrupted cut; 0: they are looked for

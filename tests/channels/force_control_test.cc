@@ -151,15 +151,21 @@ INSTANTIATE_TEST_SUITE_P(
     All, ForceEventOf,
     ::testing::Values(Told{ForceEvent::sensor_lost, "A4010", true, true},
                       Told{ForceEvent::sensor_lost_slow, "A4010", false, true},
-                      Told{ForceEvent::sensor_stuck, "A4011", true, true},
-                      Told{ForceEvent::sensor_stuck_slow, "A4011", false, true},
+                      Told{ForceEvent::no_answer, "A4011", true, true},
+                      Told{ForceEvent::no_answer_slow, "A4011", false, true},
+                      Told{ForceEvent::stays_high, "A4011", true, true},
+                      Told{ForceEvent::stays_high_slow, "A4011", false, true},
+                      Told{ForceEvent::below_idle, "A4011", true, true},
+                      Told{ForceEvent::below_idle_slow, "A4011", false, true},
                       Told{ForceEvent::vibration_lost, "W611", false, false},
                       Told{ForceEvent::frequency_shifted, "W612", false, false},
                       Told{ForceEvent::oscillation_limited, "W613", false, false},
                       Told{ForceEvent::overload_at_feed_min, "W614", false, false},
-                      Told{ForceEvent::force_missing, "W615", false, false}),
+                      Told{ForceEvent::force_missing, "W615", false, false},
+                      Told{ForceEvent::cut_is_lighter, "W616", false, false}),
     [](const auto& test) {
-      return std::string(test.param.code) + (test.param.holds ? "_holds" : "_goes_on");
+      return std::string(test.param.code) + (test.param.holds ? "_holds_" : "_goes_on_") +
+             std::to_string(static_cast<int>(test.param.event));
     });
 
 OperatorEvent adaptive(ForceAction action, const char* quantity, double value) {

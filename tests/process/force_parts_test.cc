@@ -7,7 +7,6 @@
 #include "process/adaptive/force_events.h"
 #include "process/adaptive/radius_counter.h"
 #include "process/adaptive/sensor_count.h"
-#include "process/adaptive/smoothed_cut.h"
 
 namespace stanok::process {
 namespace {
@@ -93,24 +92,6 @@ TEST(SensorCount, TheSmallestStepIsTheCount) {
   EXPECT_GE(count.usual_step_w(), count.count_w());
   EXPECT_TRUE(count.is_within_flicker(106.5, 100.0));
   EXPECT_FALSE(count.is_within_flicker(106.6, 100.0));
-}
-
-// Three first-order lags in a row have together the step response 1 after many of them, and power
-// is ahead of the demand.
-TEST(SmoothedCut, TheDemandIsLaterThanThePower) {
-  SmoothedCut cut;
-  cut.begin(1.0, 1.0);
-  const SmoothedCut::Lags lags{.cycle_s = 0.001, .chip_s = 0.1, .sensor_s = 0.02};
-  for (int cycle = 1; cycle <= 150; ++cycle) {
-    cut.follow(2.0, 2.0, lags);
-    EXPECT_LT(cut.demand(), cut.power_w());
-  }
-  // After its time constant a first-order lag has gone 1 - 1/e of the way.
-  EXPECT_NEAR(cut.power_w(), 2.0 - std::exp(-1.0), 1e-9);
-  for (int cycle = 0; cycle < 3000; ++cycle) cut.follow(2.0, 2.0, lags);
-  EXPECT_NEAR(cut.demand(), 2.0, 1e-6);
-  cut.take_power(5.0);
-  EXPECT_EQ(cut.power_w(), 5.0);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using testing::force_command;
 using ::testing::IsEmpty;
 
 ForceControlConfig config() {
-  return {.efficiency = 0.85, .power_lag_s = 0.025};
+  return {.efficiency = 0.85, .power_lag_s = 0.025, .lighter_max = 1.0};
 }
 
 // In the cut with the force held.
@@ -72,7 +72,15 @@ void report(const char* figure, double value) {
   ::testing::Test::RecordProperty(figure, std::to_string(value));
 }
 
-// Within 2 % after 1.5 s or 12 revolutions, at most 5 % beyond, then 1 % in the mean.
+// In which the feed rises by that factor without noise, a tenth at a time: each rise is answered
+// after a revolution, three lags and a quarter of a second.
+double rise_s(double turn_s, double factor) {
+  const double step_s = turn_s + 3.0 * 0.025 + 0.25;
+  return (3.0 + std::log(factor) / std::log(1.1)) * step_s + 1.0;
+}
+
+// Within 2 % after 1.5 s or 12 revolutions, or when the feed may have risen step by step; at most
+// 5 % beyond, then 1 % in the mean.
 TEST_P(ForceAfter, SettlesInTimeWithoutOvershoot) {
   const Disturbance& step = GetParam();
   CutBench bench(config(), {.rev_per_min = step.rev_per_min});
@@ -81,7 +89,10 @@ TEST_P(ForceAfter, SettlesInTimeWithoutOvershoot) {
   EXPECT_NEAR(bench.mean_error(1.0), 0.0, 0.01);
   bench.depth_mm = step.depth_after;
   bench.hardness_hb = step.hardness_after;
-  const double limit_s = std::max(1.5, 12.0 * 60.0 / step.rev_per_min);
+  const bool is_lighter =
+      step.depth_after < step.depth_before || step.hardness_after < step.hardness_before;
+  const double turn_s = 60.0 / step.rev_per_min;
+  const double limit_s = is_lighter ? rise_s(turn_s, 1.6) : std::max(1.5, 12.0 * turn_s);
   const ForceSettling settling = settle(bench, 4.0 * limit_s);
   EXPECT_LE(settling.time_s, limit_s);
   EXPECT_LE(settling.overshoot, 0.05);
@@ -237,7 +248,7 @@ TEST_P(SensorFaultOf, StuckNeverLeadsToTheGreatestFeed) {
     const double cutting_w = bench.cut.power_w - bench.control.status().power_idle_w;
     bench.sensor_lives = false;
     bench.cut.power_w = std::round(bench.control.status().power_idle_w + part * cutting_w);
-    bench.run(20.0, [&] { ASSERT_LE(bench.feed, 1.2 * before) << part; });
+    bench.run(20.0, [&] { ASSERT_LE(bench.feed, 1.1 * 1.006 * before) << part; });
     const bool drifts = part > 0.1 && std::abs(part - 1.0) > 0.02;
     EXPECT_EQ(bench.control.status().state == ForceState::fault, drifts) << part;
     if (drifts) {

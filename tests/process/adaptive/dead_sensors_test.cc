@@ -1,7 +1,5 @@
-// A power sensor is judged by its answer to the feed: dead ones are found whatever they show, sound
-// ones are never suspected to the end, whatever is cut.
-#include "process/adaptive/power_watch.h"
-
+// Dead power sensors are found whatever they show, before the feed has risen by more than a step;
+// sound ones are not accused, whatever is cut.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +18,7 @@ using testing::CutBench;
 using testing::force_command;
 
 ForceControlConfig config_of_watch() {
-  return {.efficiency = 0.85, .power_lag_s = 0.025};
+  return {.efficiency = 0.85, .power_lag_s = 0.025, .lighter_max = 1.0};
 }
 
 // In the cut with the force held; the sensor sound until now.
@@ -44,15 +42,14 @@ struct DeadSensor {
   int flicker = 0;           // counts to either side
   double drift_per_s = 0.0;  // of that power
   double noise = 0.0;        // of that power, standard deviation
-  double feed_most = 1.2;    // over the one before
 };
 void PrintTo(const DeadSensor& sensor, std::ostream* out) {
   *out << sensor.name;
 }
 
-class PowerWatchOn : public ::testing::TestWithParam<DeadSensor> {};
+class DeadSensorOn : public ::testing::TestWithParam<DeadSensor> {};
 
-TEST_P(PowerWatchOn, IsNotLedToTheGreatestFeed) {
+TEST_P(DeadSensorOn, IsNotLedToTheGreatestFeed) {
   const DeadSensor& dead = GetParam();
   CutBench bench(config_of_watch());
   hold_force(bench);
@@ -70,9 +67,10 @@ TEST_P(PowerWatchOn, IsNotLedToTheGreatestFeed) {
   double feed_most = 0.0;
   bench.run(20.0, [&] { feed_most = std::max(feed_most, bench.feed); });
   RecordProperty("feed_most_over_before", std::to_string(feed_most / before));
-  EXPECT_LE(feed_most, dead.feed_most * before);
+  EXPECT_LE(feed_most, 1.1 * 1.006 * before);
   EXPECT_TRUE(is_fault(bench));
-  EXPECT_THAT(bench.events, ::testing::Contains(ForceEvent::sensor_stuck));
+  EXPECT_THAT(bench.events,
+              ::testing::Contains(::testing::AnyOf(ForceEvent::no_answer, ForceEvent::stays_high)));
 }
 
 std::vector<DeadSensor> dead_sensors() {
@@ -90,19 +88,17 @@ std::vector<DeadSensor> dead_sensors() {
                            std::to_string(std::lround(std::abs(1000.0 * drift))),
                    .part = 0.8,
                    .flicker = 2,
-                   .drift_per_s = drift,
-                   .feed_most = 3.0});
+                   .drift_per_s = drift});
   }
   for (const double noise : {0.005, 0.01}) {
     all.push_back({.name = "noise_" + std::to_string(std::lround(1000.0 * noise)),
                    .part = 0.8,
-                   .noise = noise,
-                   .feed_most = 3.0});
+                   .noise = noise});
   }
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(DeadSensors, PowerWatchOn, ::testing::ValuesIn(dead_sensors()),
+INSTANTIATE_TEST_SUITE_P(Shown, DeadSensorOn, ::testing::ValuesIn(dead_sensors()),
                          [](const auto& test) { return test.param.name; });
 
 // A workpiece at random: cylinders, steps, tapers both ways, hard places, gaps; a noisy sensor.
@@ -149,43 +145,8 @@ TEST_P(SoundSensor, IsNeverFoundStuck) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SoundSensor, ::testing::Range(1U, 101U));
 
-// Where the power answers, the feed is not held up in any cycle: what a right program moves keeps
-// its bits. A second watch sees what the control's own sees.
-TEST(PowerWatch, DoesNotTouchTheFeedAfterStepsOfTheCut) {
-  for (unsigned seed = 1; seed <= 40; ++seed) {
-    std::mt19937 random(seed);
-    const auto between = [&](double low, double high) {
-      return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    CutBench bench(config_of_watch(), {.rev_per_min = between(300.0, 1500.0)});
-    PowerWatch watch(config_of_watch());
-    ASSERT_TRUE(bench.control.command(force_command(1200.0, 10.0, 1200.0)));
-    bench.wait_until_ready();
-    bench.cut_at_feed();
-    bench.run(0.5);
-    for (int step = 0; step < 12; ++step) {
-      bench.depth_mm = step % 6 == 5 ? 0.0 : between(1.8, 3.0);
-      bench.hardness_hb = between(180.0, 240.0);
-      int suspicious = 0;
-      bench.run(3.0, [&] {
-        const motion::ForceStatus status = bench.control.status();
-        const double turns_per_s = bench.cut.rev_per_min / 60.0;
-        const PowerTrust trust = watch.look({.cycle_s = bench.cut.cycle_s,
-                                             .power_w = bench.cut.power_w,
-                                             .power_idle_w = status.power_idle_w,
-                                             .feed_per_rev = bench.cut.path_speed / turns_per_s,
-                                             .speed_radius = turns_per_s * bench.radius_mm(),
-                                             .revolution_s = 1.0 / turns_per_s,
-                                             .cuts = status.state == ForceState::regulating});
-        if (trust != PowerTrust::good || watch.is_suspicious()) ++suspicious;
-      });
-      ASSERT_EQ(suspicious, 0) << "seed " << seed << ", step " << step;
-    }
-  }
-}
-
 // In the air there is no answer, and nothing to judge: the feed may be anything.
-TEST(PowerWatch, JudgesNothingInTheAir) {
+TEST(DeadSensors, JudgesNothingInTheAir) {
   CutBench bench(config_of_watch());
   hold_force(bench);
   bench.depth_mm = 0.0;
@@ -199,7 +160,7 @@ TEST(PowerWatch, JudgesNothingInTheAir) {
 }
 
 // The same inputs give the same bits: a log is repeated with what it holds.
-TEST(PowerWatch, GivesTheSameBitsEveryTime) {
+TEST(DeadSensors, GivesTheSameBitsEveryTime) {
   const auto feeds = [] {
     CutBench bench(config_of_watch());
     hold_force(bench);
@@ -214,8 +175,8 @@ TEST(PowerWatch, GivesTheSameBitsEveryTime) {
   EXPECT_EQ(feeds(), feeds());
 }
 
-// The feed waits on a taper until the power shows that it lives; the force stays in its band.
-TEST(PowerWatch, KeepsTheForceOnATaper) {
+// The feed follows a taper step by step, as far as the power answers.
+TEST(DeadSensors, KeepsTheForceOnATaper) {
   CutBench bench(config_of_watch());
   hold_force(bench);
   const double begin = bench.time_s;
