@@ -152,9 +152,15 @@ void BlockDirectives::order_force_control(const Instruction& instruction) {
       command.oscillation_hz = values[2];
       break;
   }
-  if (!state_.channel.has_force_control)
-    return vm_.fail("E6060", "force control needs a power sensor of the channel's spindle",
+  if (!state_.channel.has_force_control) {
+    const bool is_mill = state_.channel.kind == ChannelKind::mill;
+    return vm_.fail("E6060",
+                    is_mill
+                        ? "force control is not possible on a mill: it takes the cutting radius "
+                          "from the X axis"
+                        : "force control needs a power sensor of the channel's spindle",
                     "not in this channel");
+  }
   if (!are_possible(command))
     return vm_.fail("E6061", "force control does not accept these values", "values not accepted");
   state_.begin_commands(vm_.instruction_origin());

@@ -45,7 +45,8 @@ py::tuple identify_turning(const std::filesystem::path& file,
       throw std::invalid_argument("stock must be pairs of Z and radius in mm with falling Z");
     steps.push_back({.z_mm = z_mm, .radius_mm = radius_mm});
   }
-  if (steps.empty()) throw std::invalid_argument("stock is empty; give pairs of Z and radius in mm");
+  if (steps.empty())
+    throw std::invalid_argument("stock is empty; give pairs of Z and radius in mm");
   const auto found = identified(
       jobs::LoggedTurning{.log = file,
                           .reading = {.channel = channel, .spindle = spindle - 1, .stock = steps},
