@@ -32,6 +32,9 @@ export interface ForceControl {
   reduced_mass_kg: number;
   oscillation_n: number;
   oscillation_hz: number;
+  doubt?: 'none' | 'lost' | 'below_idle' | 'no_answer' | 'stays_high';
+  reference?: 'none' | 'programmed' | 'cut';
+  force_worst_n?: number | null;
 }
 
 export type ProcessStatus = Omit<
