@@ -18,7 +18,7 @@ constexpr double lags = 3.0;
 constexpr double exponent_doubt = 1.1;
 // The mean force of a stretch, of itself.
 constexpr double measured_within = 0.018;
-constexpr double least = 1e-9;
+constexpr double feed_least = 1e-9;
 
 }  // namespace
 
@@ -75,8 +75,8 @@ bool ProcessObserver::is_below_idle(const Inputs& inputs) RT_SAFE {
 void ProcessObserver::learn_reference() RT_SAFE {
   const Measured now = ratchet_.measured();
   if (now.force_n <= 0.0) return;
-  const double expected_n =
-      taken_.force_n * std::pow(now.feed / std::max(taken_.feed, least), config_.feed_exponent);
+  const double expected_n = taken_.force_n * std::pow(now.feed / std::max(taken_.feed, feed_least),
+                                                      config_.feed_exponent);
   if (is_learnt_ && now.force_n <= expected_n) return;
   taken_ = now;
   is_learnt_ = true;

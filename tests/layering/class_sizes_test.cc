@@ -39,6 +39,7 @@ struct Tag {
   std::size_t line = 0;
   std::size_t end = 0;
   std::string properties;
+  std::string bases;  // "A,B<int>"
 
   // Without the namespace of the project and the names that ctags gives to unnamed ones.
   [[nodiscard]] static std::string scoped_name(const std::string& text) {
@@ -58,6 +59,7 @@ struct Class {
   bool is_record = false;  // as far as known: a struct without a method
   std::size_t methods = 0;
   std::size_t members = 0;
+  std::string bases;
   std::set<std::string> headers;
   std::set<std::string> sources;
 };
@@ -73,9 +75,9 @@ std::vector<Tag> tags_of(const std::filesystem::path& root, const std::vector<st
   stream.close();
   const std::string command =
       "cd '" + root.string() + "' && ctags --options=NONE --languages=C++ --langmap=C++:.h.cc " +
-      "--kinds-C++=cspfm -I RT_SAFE --fields=+e '--fields-C++=+{properties}' -x --_xformat=" +
-      "'%{kind}|%{scope}|%{name}|%{input}|%{line}|%{end}|%{C++.properties}' -L '" + list.string() +
-      "'";
+      "--kinds-C++=cspfm -I RT_SAFE --fields=+ei '--fields-C++=+{properties}' -x --_xformat=" +
+      "'%{kind}|%{scope}|%{name}|%{input}|%{line}|%{end}|%{C++.properties}|%{inherits}' -L '" +
+      list.string() + "'";
   std::vector<Tag> tags;
   FILE* output = ::popen(command.c_str(), "r");
   if (output == nullptr) return tags;
@@ -88,13 +90,15 @@ std::vector<Tag> tags_of(const std::filesystem::path& root, const std::vector<st
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     // An operator may have the mark between the fields in its name: it is no field then.
-    static const std::regex row(R"(([^|]*)\|([^|]*)\|(.*)\|([^|]*)\|(\d+)\|(\d*)\|([^|]*))");
+    static const std::regex row(
+        R"(([^|]*)\|([^|]*)\|(.*)\|([^|]*)\|(\d+)\|(\d*)\|([^|]*)\|([^|]*))");
     std::smatch field;
     if (!std::regex_match(line, field, row)) continue;
     const auto number = [&](std::size_t i) {
       return field[i].length() == 0 ? 0 : std::stoul(field[i]);
     };
-    tags.push_back({field[1], field[2], field[3], field[4], number(5), number(6), field[7]});
+    tags.push_back(
+        {field[1], field[2], field[3], field[4], number(5), number(6), field[7], field[8]});
   }
   return tags;
 }
@@ -129,6 +133,7 @@ Classes classes_of(const std::vector<Tag>& tags) {
              .first_line = tag.line,
              .last_line = tag.end,
              .is_record = tag.kind == "struct",
+             .bases = tag.bases,
              .headers = {},
              .sources = {}};
     (tag.file.ends_with(".h") ? found.headers : found.sources).insert(tag.file);
@@ -170,6 +175,47 @@ TEST(ClassSizes, NoClassIsLargerThanAReaderCanHoldInMind) {
   }
 }
 
+// The class of this name as it is seen within `scope`; nothing: of a library.
+const Class* class_seen_from(const Classes& classes, std::string scope, const std::string& name) {
+  while (true) {
+    const std::size_t end = scope.rfind("::");
+    const auto found =
+        classes.find(end == std::string::npos ? name : scope.substr(0, end) + "::" + name);
+    if (found != classes.end()) return &found->second;
+    if (end == std::string::npos) return nullptr;
+    scope.resize(end);
+  }
+}
+
+// Data members with those of the classes that it is derived from: an object has them all.
+std::size_t members_with_inherited(const Classes& classes, const std::string& name,
+                                   const Class& measured) {
+  std::size_t members = measured.members;
+  std::istringstream bases(measured.bases);
+  for (std::string base; std::getline(bases, base, ',');) {
+    const std::string plain = base.substr(0, base.find('<'));
+    const Class* const found = class_seen_from(classes, name, plain);
+    if (found != nullptr && found != &measured)
+      members += members_with_inherited(classes, name, *found);
+  }
+  return members;
+}
+
+// Those that were divided into a base and itself; they may only become smaller.
+const std::map<std::string, std::size_t> larger_with_inherited{{"channels::Channel", 20},
+                                                               {"lang::ActiveBlock", 23}};
+
+TEST(ClassSizes, InheritedMembersCount) {
+  const Classes classes = classes_of(tags_of(repository, files_of_the_runtime()));
+  for (const auto& [name, measured] : classes) {
+    if (measured.is_record || measured.bases.empty()) continue;
+    const auto known = larger_with_inherited.find(name);
+    const std::size_t most = known == larger_with_inherited.end() ? members_max : known->second;
+    EXPECT_LE(members_with_inherited(classes, name, measured), most)
+        << name << " (" << measured.file << ") has them with those it inherits";
+  }
+}
+
 class ClassSizesOf : public ::testing::Test {
  protected:
   void write(const std::string& file, const std::string& text) {
@@ -205,6 +251,14 @@ TEST_F(ClassSizesOf, TooManyMethodsAndMembersAreFound) {
   write("large.h", text + "};\n");
   EXPECT_EQ(excess(classes().at("motion::Large")),
             "41 methods, not over 40; 16 data members, not over 15; ");
+}
+
+TEST_F(ClassSizesOf, AnObjectHasTheMembersOfItsBases) {
+  write("base.h", "struct Part {\n  int use();\n  int a = 0;\n  int b = 0;\n};\n");
+  write("whole.h", "class Whole : public Part {\n  int more();\n  int c_ = 0;\n};\n");
+  const Classes found = classes();
+  EXPECT_EQ(members_with_inherited(found, "motion::Whole", found.at("motion::Whole")), 3U);
+  EXPECT_EQ(members_with_inherited(found, "motion::Part", found.at("motion::Part")), 2U);
 }
 
 TEST_F(ClassSizesOf, ARecordMayHaveManyFields) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -104,6 +105,27 @@ TEST(Documents, SpeakTheEnglishOfAManual) {
             << prose.place << ": '" << words << "'";
     }
   }
+}
+
+// Recipes list the files that they change, as `git diff --stat` does. One that the recipe makes is
+// named in its text, too.
+TEST(Documents, RecipesNameFilesThatExist) {
+  std::ifstream stream(repository / "docs" / "developer" / "how-to-add.md");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  static const std::regex listed(R"(^ (\S+)\s+\|\s+\d+ [+-]+$)");
+  std::size_t files = 0;
+  for (const std::string& line : lines) {
+    std::smatch match;
+    if (!std::regex_match(line, match, listed) || match[1].str().starts_with("...")) continue;
+    ++files;
+    const std::string file = match[1];
+    const std::string stem = fs::path(file).stem().string();
+    const auto mentions = std::ranges::count_if(
+        lines, [&](const std::string& other) { return other.find(stem) != std::string::npos; });
+    EXPECT_TRUE(fs::exists(repository / file) || mentions > 1) << file << " does not exist";
+  }
+  EXPECT_GT(files, 40U);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST(ForceEvents, TheFirstEventOfACycleIsTold) {
   ForceEvents events;
   events.note(ForceEvent::none);
   events.note(ForceEvent::sensor_lost);
-  events.note(ForceEvent::sensor_stuck);
+  events.note(ForceEvent::no_answer);
   EXPECT_EQ(events.event(), ForceEvent::sensor_lost);
   events.begin_cycle();
   EXPECT_EQ(events.event(), ForceEvent::none);

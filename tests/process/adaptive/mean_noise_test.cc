@@ -10,7 +10,7 @@
 namespace stanok::process {
 namespace {
 
-constexpr double cycle_s = 0.001;
+constexpr double value_s = 0.001;
 
 // Values that stand for `sample_s`, white or with a memory.
 class Signal {
@@ -22,8 +22,8 @@ class Signal {
         kept_(memory_s > 0.0 ? std::exp(-sample_s / memory_s) : 0.0) {}
 
   double next() {
-    since_s_ += cycle_s;
-    if (since_s_ >= sample_s_ - 0.5 * cycle_s) {
+    since_s_ += value_s;
+    if (since_s_ >= sample_s_ - 0.5 * value_s) {
       since_s_ = 0.0;
       value_ = kept_ * value_ + std::sqrt(1.0 - kept_ * kept_) * deviation_ * gauss_(random_);
     }
@@ -41,7 +41,7 @@ class Signal {
 };
 
 void listen(MeanNoise& noise, Signal& signal, double seconds) {
-  for (int k = 0; k < static_cast<int>(seconds / cycle_s); ++k) noise.add(signal.next(), cycle_s);
+  for (int k = 0; k < static_cast<int>(seconds / value_s); ++k) noise.add(signal.next(), value_s);
 }
 
 // Two means of n independent values differ by deviation sqrt (2 / n).
@@ -93,7 +93,7 @@ TEST(MeanNoise, KnowsNothingAtFirstAndNothingOfASignalThatStands) {
   MeanNoise noise;
   EXPECT_FALSE(noise.difference(0));
   EXPECT_FALSE(noise.time_within(0.01, 0.0));
-  for (int k = 0; k < 2000; ++k) noise.add(1.0, cycle_s);
+  for (int k = 0; k < 2000; ++k) noise.add(1.0, value_s);
   EXPECT_EQ(noise.difference(0), 0.0);
   EXPECT_EQ(noise.time_within(0.01, 0.0), MeanNoise::shortest_s);
 }
@@ -104,8 +104,8 @@ TEST(MeanNoise, PassesOverStepsOfTheCut) {
   Signal signal(7, 0.02, 0.01);
   for (int k = 0; k < 40'000; ++k) {
     const double value = signal.next();
-    steady.add(value, cycle_s);
-    stepped.add(value + 0.5 * static_cast<double>((k / 5000) % 2), cycle_s);
+    steady.add(value, value_s);
+    stepped.add(value + 0.5 * static_cast<double>((k / 5000) % 2), value_s);
   }
   for (std::size_t k = 0; k <= 3; ++k)
     EXPECT_LT(*stepped.difference(k), 2.0 * *steady.difference(k));
@@ -125,7 +125,7 @@ TEST(MeanNoise, AnInterruptionIsNoDifference) {
   MeanNoise noise;
   for (int k = 0; k < 20; ++k) {
     noise.interrupt();
-    for (int n = 0; n < 100; ++n) noise.add(static_cast<double>(k), cycle_s);
+    for (int n = 0; n < 100; ++n) noise.add(static_cast<double>(k), value_s);
   }
   EXPECT_EQ(noise.difference(0), 0.0);
 }
