@@ -17,7 +17,7 @@ namespace {
 constexpr double before_touch_s = 2.0;
 constexpr double goes_back_mm = 1e-4;
 
-std::size_t infeed_axis(const recording::LogContents& contents, int channel) {
+std::size_t infeed_axis_of_log(const recording::LogContents& contents, int channel) {
   const recording::ChannelDescription* const description =
       recording::description_of(contents, channel);
   if (description == nullptr) throw std::runtime_error("the log does not describe its channels");
@@ -58,7 +58,7 @@ GrindLog read_grind_log(const std::filesystem::path& file, const GrindLogRequest
     throw std::runtime_error("the log has no setpoints of channel " +
                              std::to_string(request.channel));
   }
-  const std::size_t axis = infeed_axis(*contents, request.channel);
+  const std::size_t axis = infeed_axis_of_log(*contents, request.channel);
   const std::string setpoints = contents->setpoint_channels.at(request.channel);
   const double cycle_s = contents->description->cycle_us * 1e-6;
   auto reader = recording::LogReader::open(file);

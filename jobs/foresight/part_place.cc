@@ -6,7 +6,7 @@
 namespace stanok::jobs {
 namespace {
 
-simulation::Axes axes_of(const channels::ChannelOutput& output) {
+simulation::Axes axes_at(const channels::ChannelOutput& output) {
   simulation::Axes axes_M{};
   for (std::size_t k = 0; k < axes_M.size(); ++k) axes_M[k] = output.axes[k].position;
   return axes_M;
@@ -28,7 +28,7 @@ PartPlace::PartPlace(const simulation::ChannelGeometry& geometry)
 simulation::Pose PartPlace::work_in_base(const channels::ChannelOutput& output) const {
   simulation::Pose frame = runtime::pose_of(output.work_frame);
   if (output.point_mode == kinematics::PointMode::tip) return frame;
-  return machine_.linear_axes_in(output.scheme, axes_of(output)) * frame;
+  return machine_.linear_axes_in(output.scheme, axes_at(output)) * frame;
 }
 
 std::optional<PartSystem> PartPlace::system_of(const channels::ChannelOutput& output) const {
@@ -48,7 +48,7 @@ std::optional<PartSystem> PartChoice::at_begin(const PartPlace& place,
 
 std::optional<simulation::ToolPlace> PartPlace::tool_in(
     const PartSystem& part, const channels::ChannelOutput& output) const {
-  const simulation::Axes axes_M = axes_of(output);
+  const simulation::Axes axes_M = axes_at(output);
   const simulation::ToolRecord tool = runtime::record_of(output.tool_row);
   // A spindle that is an axis turns the part beneath a tool that is no turning tool.
   const bool is_turned = turning_axis_.exists() && !output.drives[turning_axis_].follows_velocity &&
@@ -75,7 +75,7 @@ std::optional<simulation::Pose> PartPlace::work_in(const PartSystem& part,
 std::optional<simulation::Pose> PartPlace::machine_in(const PartSystem& part,
                                                       const channels::ChannelOutput& output) const {
   if (!machine_.has_scheme(part.scheme)) return std::nullopt;
-  return part.in_base.inverse() * machine_.machine_in(part.scheme, axes_of(output));
+  return part.in_base.inverse() * machine_.machine_in(part.scheme, axes_at(output));
 }
 
 }  // namespace stanok::jobs

@@ -39,7 +39,7 @@ struct GrindOptions : jobs::GrindRequest {
 // Thrown through what computes, when the interpreter was interrupted.
 struct Interrupted {};
 
-GrindInput value_or_raise(Expected<GrindInput, Diagnostics> input) {
+GrindInput input_or_raise(Expected<GrindInput, Diagnostics> input) {
   if (input) return std::move(*input);
   raise("GrindingError", faults_json(input.error()));
 }
@@ -85,7 +85,7 @@ py::tuple report_of(const GrindInput& input, const GrindCycle& cycle) {
 }
 
 py::tuple design(const GrindOptions& options, const process::Spread& spread) {
-  GrindInput input = value_or_raise(jobs::grind_input(options));
+  GrindInput input = input_or_raise(jobs::grind_input(options));
   Interruption interruption;
   let_interrupt(input.request, interruption);
   const auto cycle =
@@ -96,7 +96,7 @@ py::tuple design(const GrindOptions& options, const process::Spread& spread) {
 }
 
 py::tuple verify(const GrindOptions& options) {
-  GrindInput input = value_or_raise(jobs::control_input(options));
+  GrindInput input = input_or_raise(jobs::control_input(options));
   Interruption interruption;
   let_interrupt(input.request, interruption);
   const GrindCycle cycle = without_lock(
@@ -121,7 +121,7 @@ py::tuple study(const GrindOptions& options) {
   if (!part)
     throw std::invalid_argument("'" + options.part +
                                 "' is not a part K of N of a study, with K from 1 to N");
-  const GrindInput input = value_or_raise(jobs::grind_input(options));
+  const GrindInput input = input_or_raise(jobs::grind_input(options));
   Interruption interruption;
   const auto points = without_lock(interruption, [&] {
     return jobs::run_study(input.request, variations, *part,
@@ -134,7 +134,7 @@ py::tuple study(const GrindOptions& options) {
 }
 
 std::string program(const GrindOptions& options, const std::string& title) {
-  const GrindInput input = value_or_raise(jobs::control_input(options));
+  const GrindInput input = input_or_raise(jobs::control_input(options));
   const InfeedLaw& law = input.control->law;
   const jobs::GrindProgram made =
       jobs::grind_program({.process = input.request.process,
@@ -169,7 +169,7 @@ InfeedLaw law_of(const Matrix& rows) {
 
 py::tuple plunge(const GrindOptions& options, const Matrix& rows,
                  process::InfeedTravel::AtEnd at_end) {
-  GrindInput input = value_or_raise(jobs::grind_input(options));
+  GrindInput input = input_or_raise(jobs::grind_input(options));
   const InfeedLaw law = law_of(rows);
   input.request.simulation.at_end = at_end;
   Interruption interruption;
@@ -181,7 +181,7 @@ py::tuple plunge(const GrindOptions& options, const Matrix& rows,
 
 // D(H), mm2/rad.
 py::array_t<double> boundary(const GrindOptions& options, const py::array_t<double>& allowance_mm) {
-  const GrindInput input = value_or_raise(jobs::grind_input(options));
+  const GrindInput input = input_or_raise(jobs::grind_input(options));
   const process::Boundary line(input.request.process);
   return py::vectorize([&line](double allowance) { return line.at(allowance); })(allowance_mm);
 }

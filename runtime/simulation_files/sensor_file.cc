@@ -68,8 +68,8 @@ struct Line {
   }
 };
 
-int spindle_of(const Line& line, const Cell& cell, std::string_view suffix,
-               const std::vector<channels::SpindleConfig>& spindles) {
+int spindle_of_column(const Line& line, const Cell& cell, std::string_view suffix,
+                      const std::vector<channels::SpindleConfig>& spindles) {
   if (spindles.empty()) line.refuse(cell, "the machine has no spindle");
   if (suffix.empty()) return 0;
   const auto spindle = std::find_if(spindles.begin(), spindles.end(), [&](const auto& one) {
@@ -86,7 +86,7 @@ Column column_of(const Line& line, const Cell& cell,
   const std::string_view name = cell.text.substr(0, dot);
   for (const Quantity& quantity : quantities) {
     if (quantity.name != name) continue;
-    return {spindle_of(line, cell, cell.text.substr(dot), spindles), quantity.value};
+    return {spindle_of_column(line, cell, cell.text.substr(dot), spindles), quantity.value};
   }
   line.refuse(cell, "'" + std::string(cell.text) +
                         "' is no sensor; t, power_w, vibration_um and vibration_hz are known");

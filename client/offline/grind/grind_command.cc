@@ -36,7 +36,7 @@ void show_iterations(DesignRequest& request, ProgressLine& progress) {
   };
 }
 
-void print_findings(const process::Findings& findings) {
+void print_findings_of_process(const process::Findings& findings) {
   const Terminal terminal(STDERR_FILENO);
   for (const process::Finding& finding : findings) {
     const Colour colour = finding.is_error() ? Colour::red : Colour::yellow;
@@ -64,7 +64,7 @@ int report(const GrindOptions& options, const GrindCycle& cycle) {
     write_json(protocol::fields_json(jobs::cycle_fields(cycle)));
   } else {
     write_data(to_text(cycle, Terminal(STDOUT_FILENO)));
-    print_findings(findings);
+    print_findings_of_process(findings);
   }
   return process::has_errors(findings) ? exit_failed : 0;
 }
@@ -84,7 +84,7 @@ void write_program(const GrindOptions& options, const DesignRequest& request,
 
 int refused(const GrindOptions& options, const process::Findings& findings) {
   if (options.json) write_json(protocol::fields_json(jobs::refusal_fields(findings)));
-  if (!options.json) print_findings(findings);
+  if (!options.json) print_findings_of_process(findings);
   return exit_failed;
 }
 
@@ -148,7 +148,7 @@ int run_program(const GrindOptions& options) {
   write_program(options, request, law, request.simulation.spark_out_revolutions);
   const process::Findings findings =
       process::verify_cycle(request.process, law, request.simulation, request.limits).findings;
-  print_findings(findings);
+  print_findings_of_process(findings);
   return process::has_errors(findings) ? exit_failed : 0;
 }
 
