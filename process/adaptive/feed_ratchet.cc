@@ -51,9 +51,8 @@ bool FeedRatchet::Stretch::has_values() const RT_SAFE {
 }
 
 void FeedRatchet::leave_cut() RT_SAFE {
-  confirmed_ = 0.0;
+  is_in_cut_ = false;
   measured_ = {};
-  refusals_ = 0;
   wants_more_ = false;
   noise_.interrupt();
 }
@@ -80,8 +79,9 @@ double FeedRatchet::ceiling() const RT_SAFE {
 }
 
 bool FeedRatchet::look(const Inputs& inputs) RT_SAFE {
-  if (confirmed_ == 0.0) {
-    confirmed_ = inputs.feed;
+  if (!is_in_cut_) {
+    is_in_cut_ = true;
+    confirmed_ = confirmed_ > 0.0 ? std::min(confirmed_, inputs.feed) : inputs.feed;
     smooth_ = {.feed = inputs.feed, .force_n = inputs.force_n};
     before_.reset();
     since_answer_s_ = 0.0;

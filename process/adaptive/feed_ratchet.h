@@ -44,7 +44,8 @@ class FeedRatchet {
   };
   // Each cycle in the cut. False: three refusals, one after the other.
   [[nodiscard]] bool look(const Inputs& inputs) RT_SAFE;
-  // Out of the cut.
+  // Out of the cut, where no power answers. What is confirmed stays: a dead power that comes and
+  // goes about that of the air would raise the feed step by step otherwise.
   void leave_cut() RT_SAFE;
   // Another setpoint of the force, and with it another feed.
   void scale(double factor) RT_SAFE;
@@ -98,7 +99,8 @@ class FeedRatchet {
   ForceControlConfig config_;
   MeanNoise noise_;
   Phase phase_ = Phase::before;
-  double confirmed_ = 0.0;  // mm/rev; 0: not in the cut
+  bool is_in_cut_ = false;
+  double confirmed_ = 0.0;  // mm/rev, over all cuts; 0: none yet
   double top_ = 0.0;        // to which the feed has risen, or is lowered
   struct {
     double feed = 0.0;

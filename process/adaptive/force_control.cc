@@ -177,6 +177,7 @@ void ForceControl::observe(const motion::CutState& cut) RT_SAFE {
                   .revolution_s = turns ? 1.0 / turns_per_s : 0.0,
                   .measuring_s = has_gaps ? 1.0 / turns_per_s : 0.0,
                   .cuts = cuts_ && turns && controller_.has_feed(),
+                  .is_rapid = cut.is_rapid,
                   .follows = path_follows(cut),
                   .is_at_speed = cut.at_speed && compensator_.is_captured(),
                   .is_at_minimum = feed_asked_ <= status_.feed_min_per_s});

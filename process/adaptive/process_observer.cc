@@ -37,7 +37,7 @@ void ProcessObserver::look(const Inputs& inputs) RT_SAFE {
   if (!inputs.cuts) {
     ratchet_.leave_cut();
     fallen_.reset();
-    is_learnt_ = false;
+    is_learnt_ = is_learnt_ && !inputs.is_rapid;
     return;
   }
   const double settling_s = inputs.revolution_s + lags * config_.power_lag_s +

@@ -43,6 +43,7 @@ class ProcessObserver {
     double revolution_s = 0.1;
     double measuring_s = 0.0;  // of the force, beyond chip and sensor
     bool cuts = false;
+    bool is_rapid = false;       // the tool has left the workpiece
     bool follows = false;        // the path goes at the feed asked for
     bool is_at_speed = false;    // the spindle, as long as it takes the sensor to show it
     bool is_at_minimum = false;  // the feed is S_min
@@ -72,7 +73,6 @@ class ProcessObserver {
   FeedRatchet ratchet_;
   FallenFeed fallen_;
   double below_idle_s_ = 0.0;
-  bool cuts_ = false;
   bool is_learnt_ = false;  // in this cut
   Measured taken_;          // the heaviest in this cut, or else in the one before; 0 N: none
   motion::PowerDoubt doubt_ = motion::PowerDoubt::none;

@@ -609,6 +609,8 @@ export interface Methods {
         ended: boolean;
         ended_at: number | null;
         ended_cycle: number | null;
+        longest_gap_ms: number;
+        lost_periods: number;
         number: number;
         ok: boolean;
         path_mm: number;
@@ -1753,4 +1755,13 @@ export const aged_methods: readonly string[] = [
   'mdi',
   'jog',
   'home',
+];
+
+/** What only ever brings motion to rest. */
+export const stop_methods: readonly string[] = [
+  'machine.off',
+  'machine.estop',
+  'program.hold',
+  'program.stop',
+  'program.reset',
 ];

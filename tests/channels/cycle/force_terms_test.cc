@@ -13,7 +13,7 @@ TEST(ForceTermsTest, LossOfTheForceSensorHoldsTheFeedUnlessTheFeedIsTheSmallest)
   ChannelLog& log = bench.parts.log;
   EXPECT_EQ(tell(motion::ForceEvent::sensor_lost, {}, log), SensorLoss::holds_feed);
   EXPECT_EQ(bench.event(), "A4010");
-  EXPECT_EQ(tell(motion::ForceEvent::sensor_stuck_slow, {}, log), SensorLoss::none);
+  EXPECT_EQ(tell(motion::ForceEvent::no_answer_slow, {}, log), SensorLoss::none);
   EXPECT_EQ(bench.event(), "A4011");
   EXPECT_EQ(tell(motion::ForceEvent::overload_at_feed_min, {}, log), SensorLoss::none);
   EXPECT_EQ(bench.event(), "W614");
