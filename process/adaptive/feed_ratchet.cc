@@ -35,7 +35,9 @@ constexpr double least_part = 0.02;  // of the setpoint, so that its logarithm i
 }  // namespace
 
 void FeedRatchet::Stretch::add(const Inputs& inputs) RT_SAFE {
-  if (time_s_ > 0.0 && inputs.force_n != newest_n_) ++changes_;
+  const bool has_changed = time_s_ > 0.0 && inputs.force_n != newest_n_;
+  if (has_changed) ++changes_;
+  unchanged_s_ = has_changed ? 0.0 : unchanged_s_ + inputs.cycle_s;
   newest_n_ = inputs.force_n;
   force_sum_ += std::max(inputs.force_n, least_part * inputs.wanted_n) * inputs.cycle_s;
   log_feed_sum_ += std::log(inputs.feed) * inputs.cycle_s;
@@ -47,7 +49,7 @@ double FeedRatchet::Stretch::feed() const RT_SAFE {
 }
 
 bool FeedRatchet::Stretch::has_values() const RT_SAFE {
-  return changes_ == 0 || changes_ >= values_least;
+  return unchanged_s_ >= stretch_least_s || changes_ >= values_least;
 }
 
 void FeedRatchet::leave_cut() RT_SAFE {

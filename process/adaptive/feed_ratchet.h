@@ -68,7 +68,7 @@ class FeedRatchet {
     [[nodiscard]] double force_n() const RT_SAFE { return force_sum_ / time_s_; }
     [[nodiscard]] double feed() const RT_SAFE;  // geometric mean
     [[nodiscard]] double time_s() const RT_SAFE { return time_s_; }
-    // None, as of a sensor that is frozen, or enough of them.
+    // It has stood for a while, as that of a sensor that is frozen, or there are enough of them.
     [[nodiscard]] bool has_values() const RT_SAFE;
 
    private:
@@ -77,6 +77,7 @@ class FeedRatchet {
     double time_s_ = 0.0;
     double newest_n_ = 0.0;
     int changes_ = 0;
+    double unchanged_s_ = 0.0;
   };
 
   void begin(Phase phase) RT_SAFE;

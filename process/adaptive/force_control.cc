@@ -15,7 +15,9 @@ using motion::ForceState;
 // The path goes at the feed asked for when it is this close to it.
 constexpr double follows_within = 0.05;
 
-// At S_max the force is too low when it is lower by this part of its setpoint.
+// At S_max, or so near to it that no further rise is asked for, the force is too low when it is
+// lower by this part of its setpoint.
+constexpr double at_most_within = 0.02;
 constexpr double low_part = 0.1;
 
 ForceEvent event_of(motion::PowerDoubt doubt, SensorFault then) RT_SAFE {
@@ -292,7 +294,7 @@ void ForceControl::watch_force(const motion::CutState& cut) RT_SAFE {
   const bool feeds =
       cut.is_controllable && cut.path_speed > 0.0 && cut.feed_override >= 1.0 && !cut.has_law;
   const bool is_low = status_.force_n < (1.0 - low_part) * law_.mean_n();
-  const bool is_at_most = feed_asked_ >= status_.feed_max_per_s;
+  const bool is_at_most = feed_asked_ >= (1.0 - at_most_within) * status_.feed_max_per_s;
   const bool is_limited = cuts_ && observer_.is_at_reference(controller_.feed_per_rev());
   const MissingForce::Inputs inputs{.cycle_s = cut.cycle_s,
                                     .is_rapid = cut.is_rapid,

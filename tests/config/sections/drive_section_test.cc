@@ -61,7 +61,7 @@ TEST_F(DriveSectionTest, APollThatIsTooRareForAStopIsRemarkedOn) {
   file.bus.poll_ms = 50;
   ASSERT_EQ(remarks_on(file).size(), 1U);
   EXPECT_THAT(remarks_on(file)[0], HasSubstr("axis X: a stop brakes at 1200 /s2"));
-  EXPECT_THAT(remarks_on(file)[0], HasSubstr("50 ms is 1.5 off"));
+  EXPECT_THAT(remarks_on(file)[0], HasSubstr("50 ms is 1.5 away"));
   file.bus.axes[0].following_error_max = 1.6;
   EXPECT_TRUE(remarks_on(file).empty());
 }

