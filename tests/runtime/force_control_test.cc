@@ -82,7 +82,8 @@ TEST_F(ForceControlRun, HoldsTheForceOverStepsOfDepthAndHardness) {
     EXPECT_LT(result.process->force_error_steady_max, 0.01);
     EXPECT_LT(result.process->overshoot_return_max, 0.05);
     EXPECT_THAT(result.process->settling_s, SizeIs(4));
-    EXPECT_THAT(result.process->settling_s, Each(Le(1.5)));
+    // Where the cut becomes lighter the feed rises a tenth at a time.
+    EXPECT_THAT(result.process->settling_s, Each(Le(4.0)));
     for (const channels::ChannelOutput& output : cycles.outputs) {
       const motion::ForceStatus& force = output.process.force;
       if (force.state != motion::ForceState::regulating) continue;
