@@ -9,10 +9,7 @@ namespace stanok::python {
 namespace {
 
 namespace py = pybind11;
-
-// The type of the member that a pointer leads to.
-template <class Value>
-std::type_identity<Value> member_of(Value setpoint_t::*);
+using recording::SetpointField;
 
 // The array takes the memory of the vector over.
 template <class Number>
@@ -36,77 +33,48 @@ py::array matrix_of(std::vector<Number> values, std::int64_t rows, int width) {
 
 }  // namespace
 
-const std::vector<SetpointColumns::ColumnType>& SetpointColumns::types() {
-  static const std::vector<ColumnType> list{{"time_s", Time{}},
-                                            {"cycle", &setpoint_t::cycle},
-                                            {"seq", &setpoint_t::seq},
-                                            {"state", &setpoint_t::state},
-                                            {"flags", &setpoint_t::flags},
-                                            {"run", &setpoint_t::run},
-                                            {"file", &setpoint_t::file},
-                                            {"line", &setpoint_t::line},
-                                            {"block", &setpoint_t::block},
-                                            {"scheme", &setpoint_t::scheme},
-                                            {"feed_commanded", &setpoint_t::feed_commanded},
-                                            {"path_speed", &setpoint_t::path_speed},
-                                            {"feed_override", &setpoint_t::feed_override},
-                                            {"tip_position", &setpoint_t::tip_position},
-                                            {"tip_velocity", &setpoint_t::tip_velocity},
-                                            {"position", &setpoint_t::position},
-                                            {"velocity", &setpoint_t::velocity},
-                                            {"acceleration", &setpoint_t::acceleration},
-                                            {"jerk", &setpoint_t::jerk},
-                                            {"position_code", &setpoint_t::position_code},
-                                            {"velocity_code", &setpoint_t::velocity_code}};
-  return list;
-}
-
 std::vector<std::string> SetpointColumns::names() {
   std::vector<std::string> list;
-  for (const ColumnType& type : types()) list.emplace_back(type.name);
+  for (const SetpointField& field : recording::setpoint_fields()) list.emplace_back(field.name);
   return list;
 }
 
-SetpointColumns::Values SetpointColumns::values_for(const Field& field) {
+SetpointColumns::Values SetpointColumns::values_for(const SetpointField::Source& source) {
   return std::visit(
       []<class Kind>(const Kind&) -> Values {
-        if constexpr (std::is_same_v<Kind, Time>) {
-          return std::vector<double>();
-        } else {
-          using Member = typename decltype(member_of(Kind{}))::type;
-          return std::vector<std::remove_all_extents_t<Member>>();
-        }
+        return std::vector<typename recording::NumberOfSource<Kind>::type>();
       },
-      field);
+      source);
 }
 
 SetpointColumns::SetpointColumns(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
-    const auto type = std::ranges::find(types(), name, &ColumnType::name);
-    if (type == types().end()) {
+    const auto& fields = recording::setpoint_fields();
+    const auto field = std::ranges::find(fields, name, &SetpointField::name);
+    if (field == fields.end()) {
       std::string fault = "there is no column '" + name + "' of setpoints; the columns are";
-      for (const ColumnType& one : types()) fault.append(" ").append(one.name);
+      for (const SetpointField& one : fields) fault.append(" ").append(one.name);
       throw std::invalid_argument(fault);
     }
-    const bool is_twice =
-        std::ranges::any_of(columns_, [&](const Column& column) { return column.type == &*type; });
-    if (!is_twice) columns_.push_back({&*type, values_for(type->field)});
+    const bool is_twice = std::ranges::any_of(
+        columns_, [&](const Column& column) { return column.field == &*field; });
+    if (!is_twice) columns_.push_back({&*field, values_for(field->source)});
   }
 }
 
 void SetpointColumns::add(const setpoint_t& setpoint, double time_s) {
-  if (rows_ == 0) axis_count_ = std::clamp<int>(setpoint.axis_count, 0, 8);
+  if (rows_ == 0) axis_count_ = recording::axis_count_of(setpoint);
   for (Column& column : columns_) append(column, setpoint, time_s);
   ++rows_;
 }
 
 void SetpointColumns::append(Column& column, const setpoint_t& setpoint, double time_s) const {
   std::visit(
-      [&]<class Kind>(const Kind& field) {
-        if constexpr (std::is_same_v<Kind, Time>) {
+      [&]<class Kind>(const Kind& source) {
+        if constexpr (std::is_same_v<Kind, SetpointField::Time>) {
           std::get<std::vector<double>>(column.values).push_back(time_s);
         } else {
-          const auto& member = setpoint.*field;
+          const auto& member = setpoint.*source;
           using Member = std::remove_cvref_t<decltype(member)>;
           auto& values = std::get<std::vector<std::remove_all_extents_t<Member>>>(column.values);
           if constexpr (std::is_array_v<Member>) {
@@ -116,15 +84,14 @@ void SetpointColumns::append(Column& column, const setpoint_t& setpoint, double 
           }
         }
       },
-      column.type->field);
+      column.field->source);
 }
 
 py::dict SetpointColumns::take() {
   py::dict arrays;
   for (Column& column : columns_) {
-    const bool is_of_axes = std::holds_alternative<AxisField<double>>(column.type->field) ||
-                            std::holds_alternative<AxisField<std::int64_t>>(column.type->field);
-    const py::str name(std::string(column.type->name));
+    const bool is_of_axes = column.field->is_of_axes();
+    const py::str name(std::string(column.field->name));
     std::visit(
         [&](auto& values) {
           auto taken = std::exchange(values, {});

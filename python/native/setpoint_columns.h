@@ -11,9 +11,10 @@
 #include <cstdint>
 #include <stanok_messages/setpoint_t.hpp>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
+
+#include "recording/read/setpoint_fields.h"
 
 namespace stanok::python {
 
@@ -35,26 +36,15 @@ class SetpointColumns {
   [[nodiscard]] static std::vector<std::string> names();
 
  private:
-  template <class Number>
-  using AxisField = Number (setpoint_t::*)[8];
-  struct Time {};
-  using Field = std::variant<Time, double setpoint_t::*, std::int64_t setpoint_t::*,
-                             std::int32_t setpoint_t::*, std::int16_t setpoint_t::*,
-                             std::int8_t setpoint_t::*, AxisField<double>, AxisField<std::int64_t>>;
-  struct ColumnType {
-    std::string_view name;
-    Field field;
-  };
   using Values =
       std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::int32_t>,
                    std::vector<std::int16_t>, std::vector<std::int8_t>>;
   struct Column {
-    const ColumnType* type;
+    const recording::SetpointField* field;
     Values values;
   };
 
-  [[nodiscard]] static const std::vector<ColumnType>& types();
-  [[nodiscard]] static Values values_for(const Field& field);
+  [[nodiscard]] static Values values_for(const recording::SetpointField::Source& source);
   void append(Column& column, const setpoint_t& setpoint, double time_s) const;
 
   std::vector<Column> columns_;

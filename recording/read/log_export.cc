@@ -1,55 +1,13 @@
 #include "recording/read/log_export.h"
 
-#include <array>
 #include <cerrno>
-#include <charconv>
 #include <string>
 
+#include "recording/read/csv_rows.h"
 #include "recording/read/setpoint_walk.h"
 
 namespace stanok::recording {
 namespace {
-
-constexpr std::size_t write_threshold = 1UL << 16;  // bytes
-
-// Rows of comma-separated numbers, gathered before they are written.
-class CsvRows {
- public:
-  explicit CsvRows(std::FILE* csv) : csv_(csv) {}
-
-  template <class Number>
-  void add(Number value) {
-    std::array<char, 32> digits{};  // enough for every double and 64-bit integer
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    add_text({digits.data(), end});
-  }
-  void add_text(std::string_view text) {
-    if (!is_row_start_) text_ += ',';
-    text_ += text;
-    is_row_start_ = false;
-  }
-  void end_row() {
-    text_ += '\n';
-    is_row_start_ = true;
-    if (text_.size() > write_threshold) write();
-  }
-  // False when something could not be written, errno says why.
-  bool finish() {
-    write();
-    return is_good_ && std::fflush(csv_) == 0;
-  }
-
- private:
-  void write() {
-    is_good_ = is_good_ && std::fwrite(text_.data(), 1, text_.size(), csv_) == text_.size();
-    text_.clear();
-  }
-
-  std::FILE* csv_;
-  std::string text_;
-  bool is_row_start_ = true;
-  bool is_good_ = true;
-};
 
 void add_heading(const std::vector<AxisDescription>& axes, CsvRows& rows) {
   for (const char* name :
