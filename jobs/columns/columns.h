@@ -28,6 +28,8 @@ struct Column {
   int decimals = 3;       // in a table of text
   Together together = Together::first;
   double (*value)(const Row&) = nullptr;
+  std::string_view unit{};     // as people write it: "mm/min"; empty: none
+  std::string_view meaning{};  // where a face tells it
 };
 
 template <class Row>

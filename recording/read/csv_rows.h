@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -21,6 +22,9 @@ class CsvRows {
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     add_text({digits.data(), end});
   }
+  // Nothing for what is not a number; whole numbers without an exponent.
+  void add_known(std::int64_t value) { add(value); }
+  void add_known(double value);
   void add_text(std::string_view text);
   void end_row();
   // False when something could not be written, errno says why.
