@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "client/offline/log/chosen_channels.h"
 #include "client/offline/log/log_text.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
@@ -37,40 +38,6 @@ struct LogOptions {
   double speed = 1.0;
   bool json = false;
 };
-
-template <class Value>
-Value value_or_throw(Expected<Value, recording::LogError> result) {
-  if (!result) throw std::runtime_error(result.error().text);
-  return std::move(*result);
-}
-
-std::string channel_list(const recording::LogContents& contents) {
-  std::string list;
-  for (const auto& [channel, name] : contents.setpoint_channels) {
-    list += (list.empty() ? "" : ", ") + std::to_string(channel);
-  }
-  return list.empty() ? "none" : list;
-}
-
-// The channels to work on: the one that was asked for, or all with setpoints.
-std::vector<int> chosen_channels(const recording::LogContents& contents, int channel) {
-  std::vector<int> channels;
-  for (const auto& [number, name] : contents.setpoint_channels) {
-    if (channel == 0 || number == channel) channels.push_back(number);
-  }
-  if (channels.empty()) {
-    throw std::runtime_error("no setpoints of " +
-                             (channel == 0 ? "any channel" : "channel " + std::to_string(channel)) +
-                             "; channels with setpoints: " + channel_list(contents));
-  }
-  return channels;
-}
-
-void warn_when_damaged(const recording::LogContents& contents, const std::string& file) {
-  if (contents.is_sound()) return;
-  write_message("warning: " + file + " is damaged; what can be read is used (stanok log info " +
-                file + ")\n");
-}
 
 int print_contents(const LogOptions& options) {
   const auto contents = value_or_throw(recording::read_contents(options.file));
