@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "client/offline/log/chosen_channels.h"
+#include "client/offline/log/export_command.h"
 #include "client/offline/log/log_text.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/interrupts.h"
@@ -21,7 +21,6 @@
 #include "protocol/contract/json_text.h"
 #include "recording/plot/log_plot.h"
 #include "recording/read/log_contents.h"
-#include "recording/read/log_export.h"
 #include "recording/read/log_play.h"
 #include "recording/read/situation_walk.h"
 #include "recording/stream/publisher.h"
@@ -62,25 +61,6 @@ int print_situations(const LogOptions& options) {
   TextTable table({"t [s]", "channel", "situation", "offset", "tool", "length [mm]", "codes"});
   while (const auto situation = walk.next()) table.add_row(situation_row(*situation, contents));
   write_data(table.text(Terminal(STDOUT_FILENO)));
-  return 0;
-}
-
-int export_csv(const LogOptions& options) {
-  const auto contents = value_or_throw(recording::read_contents(options.file));
-  const auto channels = chosen_channels(contents, options.channel);
-  if (channels.size() > 1) {
-    throw std::runtime_error("the log has setpoints of channels " + channel_list(contents) +
-                             "; choose one with --channel");
-  }
-  warn_when_damaged(contents, options.file);
-  const bool to_stdout = options.out == "-";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> csv(
-      to_stdout ? stdout : std::fopen(options.out.c_str(), "w"),
-      to_stdout ? &std::fflush : &std::fclose);
-  if (csv == nullptr) throw std::runtime_error("cannot write " + options.out);
-  const auto rows = value_or_throw(
-      recording::export_setpoints(options.file, contents, channels.front(), csv.get()));
-  write_message(fmt::format("{} rows\n", rows));
   return 0;
 }
 
@@ -196,13 +176,7 @@ void add_log_commands(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber);
   situations->add_flag("--json", situation_options->json, "print one line of JSON for each change");
 
-  const auto [csv, csv_options] =
-      add("export", "write the setpoints of a log file as CSV", &export_csv);
-  csv->add_option("--csv", csv_options->out, "file to write; -: standard output")
-      ->type_name("FILE")
-      ->required();
-  csv->add_option("--channel", csv_options->channel, "channel of the machine")
-      ->check(CLI::PositiveNumber);
+  add_export_command(noun, exit_code);
 
   const auto [pictures, plot_options] =
       add("plot", "draw path, speed and axes of a log file (PNG and SVG, with gnuplot)", &plot);
