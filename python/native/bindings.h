@@ -13,6 +13,7 @@ void bind_machine(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_programs(pybind11::module_& module);
 void bind_logs(pybind11::module_& module);
+void bind_process(pybind11::module_& module);
 void bind_kinematics(pybind11::module_& module);
 void bind_grinding(pybind11::module_& module);
 void bind_cutting(pybind11::module_& module);

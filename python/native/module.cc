@@ -9,6 +9,7 @@ PYBIND11_MODULE(_native, module) {
   stanok::python::bind_simulation(module);
   stanok::python::bind_programs(module);
   stanok::python::bind_logs(module);
+  stanok::python::bind_process(module);
   stanok::python::bind_kinematics(module);
   stanok::python::bind_grinding(module);
   stanok::python::bind_cutting(module);

@@ -11,7 +11,7 @@ calls the same libraries. Lengths are mm, angles deg, times s.
 
 ============================================  ===========================================================
 :func:`simulate`                              programs on a virtual machine, setpoints of every cycle
-:func:`read_log`, :func:`open_log`            setpoints and events of a log, in chunks if it is long
+:func:`read_log`, :func:`open_log`            setpoints of a log, in chunks if it is long; its events and process
 :func:`check`, :func:`interpret`              errors, feed laws, planes, records of a program
 :class:`Kinematics`                           forward, inverse and derivatives of a machine's schemes
 :mod:`stanok.grinding`                        plunge grinding cycles: design, verification, studies, model
@@ -49,6 +49,7 @@ from .interpreter import (
 from .kinematics import Jets, Kinematics
 from .logs import Log, open_log, read_log
 from .machine import Axis, Channel, Machine, Scheme, load_machine
+from .process_rows import PROCESS_COLUMNS, ProcessRows
 from .programs import example_machine, example_program
 from .rpc import Client, Notification, connect, stop
 from .setpoints import ALL_COLUMNS, USUAL_COLUMNS, Setpoints
@@ -58,6 +59,7 @@ __version__: str = _native.version()
 
 __all__ = [
     "ALL_COLUMNS",
+    "PROCESS_COLUMNS",
     "USUAL_COLUMNS",
     "Axis",
     "Channel",
@@ -78,6 +80,7 @@ __all__ = [
     "Notification",
     "OperatorEvent",
     "OtherPosition",
+    "ProcessRows",
     "ProgramError",
     "RequestError",
     "Run",
