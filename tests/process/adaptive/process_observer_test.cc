@@ -217,7 +217,7 @@ void expect_climbs_in_time(unsigned seeds) {
 }
 
 TEST(ProcessObserver, NoiseOnlyLimitsHowFastTheFeedRises) {
-  expect_climbs_in_time(stanok::testing::cases(20U));
+  expect_climbs_in_time(20);  // with fewer a median says nothing
 }
 
 TEST(ProcessObserver, NoiseOnlyLimitsHowFastTheFeedRisesFullSize) {
