@@ -156,7 +156,7 @@ async function drawnOn(page, { begin, count }) {
   let segments = 0;
   for (let nearer = 0; segments !== count && nearer < 40; ++nearer) {
     await page.mouse.wheel(0, -400);
-    segments = await until('a picture that stands', standing);
+    segments = await until('a picture that stands', standing, 120);
   }
   assert.equal(segments, count, 'all lines of the path');
   // While things move finer lines are left out: a picture may have come in between.
