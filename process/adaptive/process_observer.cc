@@ -100,8 +100,9 @@ bool ProcessObserver::is_at_reference(double feed) const RT_SAFE {
 }
 
 double ProcessObserver::worst_part() const RT_SAFE {
+  if (reference_ != CutReference::cut || config_.lighter_max >= 1.0) return 0.0;
   const double by_step = std::pow(1.0 + config_.feed_step, config_.feed_exponent);
-  return config_.lighter_max < 1.0 ? std::max(by_step, 1.0 / (1.0 - config_.lighter_max)) : 0.0;
+  return std::max(by_step, 1.0 / (1.0 - config_.lighter_max));
 }
 
 }  // namespace stanok::process

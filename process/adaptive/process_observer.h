@@ -60,7 +60,7 @@ class ProcessObserver {
   [[nodiscard]] bool is_at_reference(double feed) const RT_SAFE;
   [[nodiscard]] motion::CutReference reference() const RT_SAFE { return reference_; }
   // The largest force of an unchanged cut, whatever the sensor shows from now on, over the
-  // setpoint.
+  // setpoint; 0: without a bound, as before a cut was measured.
   [[nodiscard]] double worst_part() const RT_SAFE;
 
  private:

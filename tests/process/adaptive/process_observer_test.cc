@@ -75,6 +75,17 @@ void cut_for(PlantBench& bench, const TurningScene& scene, Chance& chance) {
   bench.run(chance.between(2.0, 25.0));
 }
 
+TEST(ProcessObserver, NoBoundIsSaidBeforeTheCutWasMeasured) {
+  const TurningScene scene;
+  PlantBench bench({.efficiency = scene.efficiency, .power_lag_s = 0.025}, scene, 1);
+  bench.begin(set_n, feed_for(scene, set_n, depth_mm));
+  bench.run(0.5);
+  EXPECT_EQ(bench.control.status().force_worst_n, 0.0) << "in the air";
+  bench.plant.depth_mm = depth_mm;
+  bench.run(3.0);
+  EXPECT_NEAR(bench.control.status().force_worst_n, set_n / (1.0 - 0.09), 1e-9);
+}
+
 // The largest force of the next seconds over the setpoint, or over what it was.
 double largest_force(PlantBench& bench, double seconds) {
   const double before_n = std::max(set_n, bench.plant.force_n());
@@ -95,8 +106,10 @@ void expect_bounded_with_dead_sensor(unsigned seeds) {
     const double shown_w = bench.plant.cut_w() * chance.between(0.1, 1.5);
     const double part_of_noise = seed % 3 == 0 ? 0.0 : chance.between(0.0, 3.0);
     bench.plant.sensor = [=](double, double noise_w) { return shown_w + part_of_noise * noise_w; };
+    const double said_n = bench.control.status().force_worst_n;
     const double force = largest_force(bench, 30.0);
     EXPECT_LE(force, 1.10);
+    EXPECT_LE(force * set_n, said_n) << "what the status says to be the worst";
     worst = std::max(worst, force);
   }
   ::testing::Test::RecordProperty("worst", std::to_string(worst));
