@@ -139,6 +139,33 @@ async function planned(client) {
   };
 }
 
+/** From where the path is seen: of a picture that stands, and that no frame changes any more. */
+async function seenFrom(page) {
+  return until(
+    'a picture that stands',
+    () =>
+      page.evaluate(async () => {
+        const before = window.drawnFrom();
+        for (let frame = 0; frame < 5; ++frame) await new Promise(requestAnimationFrame);
+        const stands = document.querySelector('canvas')?.dataset.how === 'standing';
+        return stands && before.length > 0 && `${before}` === `${window.drawnFrom()}` && before;
+      }),
+    120,
+  );
+}
+
+/** Turns the wheel by one notch, and waits for the picture that stands behind it: on a busy computer it comes late. */
+async function goNearer(page) {
+  const before = await seenFrom(page);
+  await page.mouse.wheel(0, -400);
+  await until(
+    'a nearer picture',
+    async () => far(await page.evaluate(() => window.drawnFrom()), before) > 0,
+    120,
+  );
+  await seenFrom(page);
+}
+
 /** Lines of the picture, from so near that it has all of them: farther away those finer than a pixel are left out. */
 async function drawnOn(page, { begin, count }) {
   const canvas = page.locator('canvas');
@@ -149,15 +176,11 @@ async function drawnOn(page, { begin, count }) {
   await page.getByRole('button', { name: 'Isometric' }).click();
   const box = await canvas.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  const standing = async () => {
-    const how = await canvas.evaluate(({ dataset }) => ({ ...dataset }));
-    return how.how === 'standing' && Number(how.drawn) > 0 && Number(how.segments);
-  };
-  let segments = 0;
-  for (let nearer = 0; segments !== count && nearer < 40; ++nearer) {
-    await page.mouse.wheel(0, -400);
-    segments = await until('a picture that stands', standing, 120);
-  }
+  const segmentsSeen = () => canvas.evaluate(({ dataset }) => Number(dataset.segments));
+  await seenFrom(page);
+  for (let nearer = 0; nearer < 40 && (await segmentsSeen()) !== count; ++nearer)
+    await goNearer(page);
+  const segments = await segmentsSeen();
   assert.equal(segments, count, 'all lines of the path');
   // While things move finer lines are left out: a picture may have come in between.
   const points = await until('all lines in a picture that stands', async () => {
@@ -168,18 +191,6 @@ async function drawnOn(page, { begin, count }) {
     return how === 'standing' && drawn.length === 2 * segments && drawn;
   });
   return points.flatMap((point, k) => (k % 2 === 0 ? [[point, points[k + 1]]] : []));
-}
-
-/** From where the path is seen: of a picture that stands, and that no frame changes any more. */
-async function seenFrom(page) {
-  return until('a picture that stands', () =>
-    page.evaluate(async () => {
-      const before = window.drawnFrom();
-      for (let frame = 0; frame < 5; ++frame) await new Promise(requestAnimationFrame);
-      const stands = document.querySelector('canvas')?.dataset.how === 'standing';
-      return stands && before.length > 0 && `${before}` === `${window.drawnFrom()}` && before;
-    }),
-  );
 }
 
 function compare(context, drawn, traced) {
