@@ -19,8 +19,10 @@ using Covariance =
 struct LeastSquares {
   Parameters values{};
   Covariance covariance{};
-  double rms = 0.0;            // of the residuals
-  bool is_determined = false;  // false: the data leave a parameter open
+  double rms = 0.0;                           // of the residuals
+  std::vector<double> rest{};                 // the residuals
+  std::vector<std::vector<double>> slopes{};  // of them, by parameter
+  bool is_determined = false;                 // false: the data leave a parameter open
 };
 
 // `residuals`: of the parameters, always as many. `scale`: how far a parameter has to move to
