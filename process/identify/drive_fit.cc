@@ -159,13 +159,6 @@ double DriveFit::coulomb_part(double rev_per_min) const {
   return idle > 0.0 ? std::clamp(idle_linear.value * rev_per_min / idle, 0.0, 1.0) : 1.0;
 }
 
-std::vector<std::size_t> reading_rows(const DriveRecord& record) {
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < record.power_w.size(); ++row)
-    if (std::isfinite(record.power_w[row])) rows.push_back(row);
-  return rows;
-}
-
 std::string what_lacks(const DriveRecord& record) {
   int in_cut = 0;
   int in_air = 0;

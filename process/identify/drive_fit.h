@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/expected.h"
+#include "process/identify/drive_record.h"
 
 namespace stanok::process {
 
@@ -25,14 +26,6 @@ struct Estimate {
 
   [[nodiscard]] double half_width() const { return 0.5 * (high - low); }
   [[nodiscard]] bool contains(double number) const { return low <= number && number <= high; }
-};
-
-// Cycle by cycle.
-struct DriveRecord {
-  double cycle_s = 0.001;
-  std::vector<double> rev_per_min;
-  std::vector<double> power_w;  // as the sensor showed it; not a number: nothing new
-  std::vector<bool> cuts;
 };
 
 // The power of the cut by row, without the lag: `watts` has a place for each row.
@@ -60,9 +53,6 @@ struct FittedCut {
   DriveFit drive;
   std::array<Estimate, 2> figures;
 };
-
-// The rows in which the sensor has shown something.
-[[nodiscard]] std::vector<std::size_t> reading_rows(const DriveRecord& record);
 
 // Whether there are enough readings in the cut and out of it; empty: there are.
 [[nodiscard]] std::string what_lacks(const DriveRecord& record);
