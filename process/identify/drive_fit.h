@@ -2,9 +2,10 @@
 // and the two figures on which the power of the cut depends.
 //
 //   N_d = a n + b n^2 + L[ P(c_1, c_2) ]
-// L: a lag of first order. Readings are weighted by their noise, which has a constant part and one
-// that grows with the power of the cut. Each value has the interval in which it lies with 95 %
-// probability, if the noise of one reading does not depend on that of the one before. Off line.
+// L: a lag of first order and a delay, for what readings are late. Readings are weighted by their
+// noise, which has a constant part and one that grows with the power of the cut and may remember
+// that of the reading before. Each value has the interval in which it lies with 95 % probability,
+// and the fit says whether the model fits. Off line.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 
 #include "base/expected.h"
 #include "process/identify/drive_record.h"
+#include "process/identify/fit_verdict.h"
 
 namespace stanok::process {
 
@@ -33,16 +35,20 @@ struct CutModel {
   std::array<double, 2> begin{};
   std::array<double, 2> scale{};  // how far a figure has to move to matter
   std::function<void(const std::array<double, 2>& figures, std::vector<double>& watts)> power;
+  // Of a unit of what the law of the force may lack; empty: nothing is known of that.
+  std::vector<double> law_w;
 };
 
 struct DriveFit {
   Estimate idle_linear;                 // a, W per rev/min
   std::optional<Estimate> idle_square;  // b; none: the record has one speed only
-  Estimate lag_s;
-  double noise = 0.0;       // of the cutting power, standard deviation
-  double residual_w = 0.0;  // rms
+  Estimate lag_s;                       // from 0 s: a reading may be a sampling period old
+  double sampling_s = 0.0;              // of the sensor
+  double noise = 0.0;                   // of the cutting power, standard deviation
+  double residual_w = 0.0;              // rms
   int readings = 0;
   std::vector<double> fitted_w;  // by row
+  FitVerdict verdict;
 
   [[nodiscard]] double idle_w(double rev_per_min) const;
   // Part of the idle power at this speed that grows with n.

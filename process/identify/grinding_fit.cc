@@ -5,8 +5,11 @@
 
 #include "base/place.h"
 #include "process/grinding/elastic_system.h"
+#include "process/identify/coloured_noise.h"
+#include "process/identify/drive_check.h"
 #include "process/identify/least_squares.h"
 #include "process/identify/reading_noise.h"
+#include "process/identify/sensor_check.h"
 
 namespace stanok::process {
 namespace {
@@ -113,6 +116,39 @@ Estimate grind_estimate(const LeastSquares& fit, GrindPlace place) {
   return {.value = shown(value), .low = shown(value - half), .high = shown(value + half)};
 }
 
+DriveRecord drive_record_of_plunge(const GrindRecord& record, const std::vector<double>& cut_w) {
+  constexpr double is_cut = 0.05;  // of the greatest
+  const double most_w = cut_w.empty() ? 0.0 : *std::ranges::max_element(cut_w);
+  DriveRecord drive{.cycle_s = record.cycle_s};
+  for (std::size_t row = 0; row < record.rows.size(); ++row) {
+    drive.rev_per_min.push_back(1.0);  // the wheel turns
+    drive.power_w.push_back(record.rows[row].power_w);
+    drive.cuts.push_back(cut_w[row] > is_cut * most_w);
+  }
+  return drive;
+}
+
+// `deviation`: of the readings, of which the slopes of the fit are multiples.
+FitVerdict check_plunge(const GrindRecord& record, const GrindModel& model, const LeastSquares& fit,
+                        const std::vector<double>& deviation) {
+  DrivePowers powers{.cut_w = model.cut_w(fit.values)};
+  const DriveRecord drive = drive_record_of_plunge(record, powers.cut_w);
+  FitVerdict of_sensor = check_sensor(drive, sensor_traits(drive), powers.cut_w);
+  if (of_sensor.is_refused()) return of_sensor;
+  const auto by_reading = [&](const std::vector<double>& multiples) {
+    std::vector<double> values = multiples;
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] *= deviation[k];
+    return values;
+  };
+  const std::vector<double> rest_w = by_reading(fit.rest);
+  const ColouredNoise noise(drive, model.readings(), deviation, rest_w);
+  FitTraces traces{.rest = noise.whitened(rest_w)};
+  for (const std::vector<double>& slope : fit.slopes)
+    traces.slopes.push_back(noise.whitened(by_reading(slope)));
+  traces.variance = noise.variance_of_changes(traces.rest);
+  return check_drive(drive, powers, noise, traces).verdict;
+}
+
 }  // namespace
 
 Expected<GrindingFit, std::string> fit_grinding(const GrindRecord& record,
@@ -132,6 +168,7 @@ Expected<GrindingFit, std::string> fit_grinding(const GrindRecord& record,
   scale[idle] = std::max(1.0, std::abs(begin[idle]));
   LeastSquares fit{.values = begin};
   std::vector<double> deviation(model.readings().size(), 1.0);
+  std::vector<double> deviation_of_fit;
   GrindingFit grinding;
   for (int round = 0; round < 3; ++round) {
     const auto rests = [&](const Parameters& p, const std::vector<double>& cut) {
@@ -149,6 +186,7 @@ Expected<GrindingFit, std::string> fit_grinding(const GrindRecord& record,
     const std::vector<double> cut = model.cut_w(fit.values);
     std::vector<double> cut_of_readings;
     for (const std::size_t row : model.readings()) cut_of_readings.push_back(cut[row]);
+    deviation_of_fit = deviation;
     const ReadingNoise noise = noise_of(rests(fit.values, cut), cut_of_readings);
     for (std::size_t k = 0; k < deviation.size(); ++k)
       deviation[k] = noise.deviation_w(cut_of_readings[k]);
@@ -159,6 +197,7 @@ Expected<GrindingFit, std::string> fit_grinding(const GrindRecord& record,
         "the cycle does not tell stiffness and force law; record one with two feeds and a "
         "spark-out");
   }
+  grinding.verdict = check_plunge(record, model, fit, deviation_of_fit);
   grinding.stiffness_n_per_m = grind_estimate(fit, ln_stiffness);
   grinding.force_factor = grind_estimate(fit, ln_factor);
   grinding.force_exponent = grind_estimate(fit, alpha);

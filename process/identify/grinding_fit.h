@@ -16,6 +16,7 @@
 #include "base/expected.h"
 #include "process/grinding/grinding_process.h"
 #include "process/identify/drive_fit.h"
+#include "process/identify/fit_verdict.h"
 
 namespace stanok::process {
 
@@ -41,6 +42,7 @@ struct GrindingFit {
   double noise = 0.0;
   double residual_w = 0.0;
   std::vector<double> fitted_w;  // by row
+  FitVerdict verdict;
 };
 
 // `sheet`: geometry, speed, mass and damping are taken as they are; stiffness and force law are

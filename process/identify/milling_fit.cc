@@ -9,7 +9,7 @@ constexpr double w_per_n_mm_per_s = 1e-3;
 constexpr double thickness_differs = 0.1;
 
 DriveRecord drive_record_of_milling(const MillingRecord& record) {
-  DriveRecord drive{.cycle_s = record.cycle_s, .rev_per_min = {}, .power_w = {}, .cuts = {}};
+  DriveRecord drive{.cycle_s = record.cycle_s};
   for (const MillingRow& row : record.rows) {
     drive.rev_per_min.push_back(row.rev_per_min);
     drive.power_w.push_back(row.power_w);
@@ -45,16 +45,17 @@ Expected<MillingFit, std::string> fit_milling(const MillingRecord& record) {
   }
   constexpr double usual_force = 1000.0;  // N/mm2
   constexpr double usual_edge = 10.0;     // N/mm
-  const CutModel cut{
-      .begin = {usual_force, usual_edge},
-      .scale = {usual_force, usual_edge},
-      .power = [&](const std::array<double, 2>& figures, std::vector<double>& watts) {
-        for (std::size_t k = 0; k < watts.size(); ++k) {
-          const MillingRow& row = record.rows[k];
-          watts[k] = w_per_n_mm_per_s *
-                     (figures[0] * row.removal_mm3_per_s + figures[1] * row.rubbing_mm2_per_s);
-        }
-      }};
+  const CutModel cut{.begin = {usual_force, usual_edge},
+                     .scale = {usual_force, usual_edge},
+                     .power =
+                         [&](const std::array<double, 2>& figures, std::vector<double>& watts) {
+                           for (std::size_t k = 0; k < watts.size(); ++k) {
+                             const MillingRow& row = record.rows[k];
+                             watts[k] = w_per_n_mm_per_s * (figures[0] * row.removal_mm3_per_s +
+                                                            figures[1] * row.rubbing_mm2_per_s);
+                           }
+                         },
+                     .law_w = {}};
   auto fitted = fit_drive(drive, cut);
   if (!fitted) return Unexpected<std::string>(std::move(fitted.error()));
   if (fitted->figures[0].low <= 0.0) return Unexpected<std::string>(not_of_the_cut);

@@ -6,7 +6,12 @@
 namespace stanok::process {
 
 double ReadingNoise::deviation_w(double cut_w) const {
-  return std::hypot(idle_w, part * cut_w);
+  return std::hypot(idle_w, part * cut_w, model * cut_w);
+}
+
+double ReadingNoise::model_part() const {
+  const double all = part * part + model * model;
+  return all > 0.0 ? model * model / all : 0.0;
 }
 
 ReadingNoise noise_of(const std::vector<double>& rest_w, const std::vector<double>& cut_w) {

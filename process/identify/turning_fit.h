@@ -21,8 +21,10 @@ namespace stanok::process {
 struct CutRow {
   double rev_per_min = 0.0;
   double radius_mm = 0.0;
-  double depth_mm = 0.0;   // 0: out of the cut
-  double travel_mm = 0.0;  // at working feed
+  double depth_mm = 0.0;         // 0: out of the cut
+  double travel_mm = 0.0;        // at working feed
+  double z_mm = 0.0;             // of the tool, in the frame of the stock
+  double hardness_factor = 1.0;  // of the force there, over that of the hardness for which C is
   // As the sensor showed it at the end of the cycle; not a number: it has shown nothing new.
   double power_w = std::numeric_limits<double>::quiet_NaN();
 };
