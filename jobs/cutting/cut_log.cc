@@ -41,22 +41,16 @@ ToolAxes tool_axes(const recording::LogContents& contents, int channel) {
   return {.x = place("X"), .z = place("Z")};
 }
 
-// Radius of the stock at a z; 0: in front of it.
-double stock_radius(const std::vector<StockStep>& stock, double z_mm) {
-  double radius = 0.0;
-  for (const StockStep& step : stock)
-    if (z_mm <= step.z_mm) radius = step.radius_mm;
-  return radius;
-}
-
 // Stock that the tool has cut is not there a second time.
 class CutSurface {
  public:
-  explicit CutSurface(std::vector<StockStep> stock) : stock_(std::move(stock)) {}
+  explicit CutSurface(StockTable stock) : stock_(std::move(stock)) {}
+
+  [[nodiscard]] double force_factor(double z_mm) const { return stock_.force_factor(z_mm); }
 
   // Of a tool that goes on; at a place where it was a cycle ago the depth is what it was.
   [[nodiscard]] double depth_mm(double x_mm, double z_mm) {
-    const double from_mm = stock_.front().z_mm;
+    const double from_mm = stock_.steps.front().z_mm;
     if (z_mm > from_mm) {
       place_ = -1;
       return 0.0;
@@ -82,13 +76,14 @@ class CutSurface {
 
   double& left_at(std::size_t place) {
     while (left_.size() <= place) {
-      const double z = stock_.front().z_mm - place_mm * (static_cast<double>(left_.size()) + 0.5);
-      left_.push_back(stock_radius(stock_, z));
+      const double z =
+          stock_.steps.front().z_mm - place_mm * (static_cast<double>(left_.size()) + 0.5);
+      left_.push_back(stock_.radius_mm(z));
     }
     return left_[place];
   }
 
-  std::vector<StockStep> stock_;
+  StockTable stock_;
   std::vector<double> left_;
   std::int64_t place_ = -1;  // of the cycle before
   double depth_mm_ = 0.0;    // there
@@ -139,7 +134,9 @@ class CutReading {
     log_.record.rows.push_back({.rev_per_min = rev_per_min_,
                                 .radius_mm = std::abs(x),
                                 .depth_mm = feeds ? surface_.depth_mm(x, z) : 0.0,
-                                .travel_mm = feeds ? message.path_speed * cycle_s : 0.0});
+                                .travel_mm = feeds ? message.path_speed * cycle_s : 0.0,
+                                .z_mm = z,
+                                .hardness_factor = surface_.force_factor(z)});
     log_.time_s.push_back(static_cast<double>(message.cycle - first_cycle_) * cycle_s);
   }
 

@@ -1,20 +1,15 @@
-// A turning cut out of a log: tool, speed and power cycle by cycle, depth from the stock that is
-// known.
+// A turning cut out of a log: tool, speed and power cycle by cycle, depth and hardness from the
+// stock that is known.
 #pragma once
 
 #include <filesystem>
 #include <vector>
 
 #include "jobs/cutting/reading_bounds.h"
+#include "jobs/cutting/stock_table.h"
 #include "process/identify/turning_fit.h"
 
 namespace stanok::jobs {
-
-// The workpiece before the cut, in the frame of the program: from this z on to smaller z.
-struct StockStep {
-  double z_mm = 0.0;
-  double radius_mm = 0.0;
-};
 
 struct CutLog {
   process::CutRecord record;
@@ -24,7 +19,7 @@ struct CutLog {
 struct CutLogRequest {
   int channel = 1;
   int spindle = 0;  // of the machine, from 0 on
-  std::vector<StockStep> stock;
+  StockTable stock;
   ReadingBounds bounds{};
 };
 

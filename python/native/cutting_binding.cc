@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -36,20 +37,26 @@ auto identified(const Request& request) {
 }
 
 py::tuple identify_turning(const std::filesystem::path& file,
-                           const std::vector<std::pair<double, double>>& stock, int channel,
+                           const std::vector<std::array<double, 3>>& stock, int channel,
                            int spindle, double coefficient_n) {
-  std::vector<jobs::StockStep> steps;
-  for (const auto& [z_mm, radius_mm] : stock) {
-    const bool falls = steps.empty() || z_mm < steps.back().z_mm;
-    if (!falls || !(radius_mm > 0.0))
-      throw std::invalid_argument("stock must be pairs of Z and radius in mm with falling Z");
-    steps.push_back({.z_mm = z_mm, .radius_mm = radius_mm});
+  jobs::StockTable table;
+  for (const auto& [z_mm, radius_mm, hardness_hb] : stock) {
+    const bool falls = table.steps.empty() || z_mm < table.steps.back().z_mm;
+    const bool has_hardness = hardness_hb > 0.0;
+    if (!falls || !(radius_mm > 0.0) ||
+        (!table.steps.empty() && has_hardness != (table.steps.back().hardness_hb > 0.0))) {
+      throw std::invalid_argument(
+          "stock must be pairs of Z and radius in mm with falling Z, or all of them with a "
+          "hardness "
+          "in HB");
+    }
+    table.steps.push_back({.z_mm = z_mm, .radius_mm = radius_mm, .hardness_hb = hardness_hb});
   }
-  if (steps.empty())
+  if (table.steps.empty())
     throw std::invalid_argument("stock is empty; give pairs of Z and radius in mm");
   const auto found = identified(
       jobs::LoggedTurning{.log = file,
-                          .reading = {.channel = channel, .spindle = spindle - 1, .stock = steps},
+                          .reading = {.channel = channel, .spindle = spindle - 1, .stock = table},
                           .coefficient_n = coefficient_n});
   return py::make_tuple(report_text(jobs::identification_fields(found)),
                         column_arrays(found.rows, jobs::turning_row_columns()));

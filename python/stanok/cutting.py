@@ -155,7 +155,7 @@ def lobes(
 
 def identify_turning(
     log: PathLike,
-    stock: Sequence[tuple[float, float]],
+    stock: Sequence[tuple[float, float] | tuple[float, float, float]],
     *,
     channel: int = 1,
     spindle: int = 1,
@@ -166,6 +166,7 @@ def identify_turning(
     Args:
         log: the log, with the power of the spindle.
         stock: the bar before the cut in program coordinates: pairs of Z and the radius from there on, mm; Z falls.
+            Each may have the hardness from there on, HB, as a third number; C is then that of the first hardness.
         channel: channel of the cut.
         spindle: number of the spindle in the machine, from 1.
         coefficient_n: C of the material, N at 1 mm depth and 1 mm per revolution, if known; determines the efficiency.
@@ -173,8 +174,8 @@ def identify_turning(
     Raises:
         RuntimeError: data is missing from the log; the text names it.
     """
-    pairs = [(float(z), float(radius)) for z, radius in stock]
-    text, arrays = _native.identify_turning(os.fspath(log), pairs, channel, spindle, coefficient_n)
+    steps = [(float(z), float(radius), float(hardness[0]) if hardness else 0.0) for z, radius, *hardness in stock]
+    text, arrays = _native.identify_turning(os.fspath(log), steps, channel, spindle, coefficient_n)
     return TurningCut(report=json.loads(text), **arrays)
 
 

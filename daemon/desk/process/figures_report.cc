@@ -1,8 +1,6 @@
 // What a recorded cut tells of drive, material and machine.
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 
 #include "config/files/chatter_file.h"
@@ -16,14 +14,12 @@ namespace stanok::daemon {
 namespace {
 
 namespace fs = std::filesystem;
-using jobs::StockStep;
 using nlohmann::json;
 using process::Estimate;
 using protocol::Failure;
 
 constexpr std::size_t rows_read_max = 1'000'000;  // cycles of a log, some hundred bytes each
-constexpr std::size_t stock_steps_max = 100;
-constexpr double force_ratio_usual = 0.4;  // tangential over normal force of a wheel
+constexpr double force_ratio_usual = 0.4;         // tangential over normal force of a wheel
 constexpr double wheel_speed_usual_m_per_s = 35.0;
 constexpr double wheel_efficiency_usual = 0.85;
 
@@ -53,31 +49,6 @@ json found_json(const jobs::Identification& found) {
           {"text", found.text}};
 }
 
-// "0:32,-20:33": from this Z on this radius, mm, with falling Z; nothing: it is not of this form.
-std::optional<std::vector<StockStep>> stock_of(const std::string& text) {
-  std::vector<StockStep> stock;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  const auto number = [&](double& value) {
-    const auto [next, error] = std::from_chars(at, end, value);
-    const bool is_number = error == std::errc{} && std::isfinite(value);
-    at = next;
-    return is_number;
-  };
-  while (at != end && stock.size() < stock_steps_max) {
-    StockStep step;
-    if (!number(step.z_mm) || at == end || *at != ':') return std::nullopt;
-    ++at;
-    if (!number(step.radius_mm) || !(step.radius_mm > 0.0)) return std::nullopt;
-    if (!stock.empty() && !(step.z_mm < stock.back().z_mm)) return std::nullopt;
-    stock.push_back(step);
-    if (at == end) return stock;
-    if (*at != ',') return std::nullopt;
-    ++at;
-  }
-  return std::nullopt;
-}
-
 struct FiguresRequest {
   json parameters;
   int channel = 1;
@@ -89,10 +60,12 @@ struct FiguresRequest {
 };
 
 CommandResult turning_figures(const FiguresRequest& request) {
-  const auto stock = stock_of(request.parameters.value("stock", std::string()));
+  const auto stock = jobs::stock_of_text(request.parameters.value("stock", std::string()));
   if (!stock) {
     return nothing_told(
-        "give the stock before the cut as Z:RADIUS in mm with falling Z, for example 0:32,-20:33");
+        "give the stock before the cut as Z:RADIUS or Z:RADIUS:HARDNESS in mm and HB with falling "
+        "Z, "
+        "for example 0:32:200,-20:33:240");
   }
   return found_json(jobs::identify(
       jobs::LoggedTurning{.log = request.log,

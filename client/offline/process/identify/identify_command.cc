@@ -1,6 +1,5 @@
 #include "client/offline/process/identify/identify_command.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -19,7 +18,6 @@ namespace stanok::client {
 namespace {
 
 using jobs::GrindLogRequest;
-using jobs::StockStep;
 
 constexpr double usual_efficiency_of_wheel = 0.85;
 
@@ -41,27 +39,21 @@ struct IdentifyOptions {
   int tool = 0;
 };
 
-std::optional<StockStep> stock_step(const std::string& text) {
-  StockStep step;
-  const char* const end = text.data() + text.size();
-  const auto z = std::from_chars(text.data(), end, step.z_mm);
-  if (z.ec != std::errc{} || z.ptr == end || *z.ptr != ':') return std::nullopt;
-  const auto radius = std::from_chars(z.ptr + 1, end, step.radius_mm);
-  if (radius.ec != std::errc{} || radius.ptr != end || !(step.radius_mm > 0.0)) return std::nullopt;
-  return step;
-}
-
-std::vector<StockStep> stock_of(const IdentifyOptions& options) {
-  std::vector<StockStep> stock;
-  for (const std::string& text : options.stock) {
-    const auto step = stock_step(text);
-    if (!step || (!stock.empty() && !(step->z_mm < stock.back().z_mm))) {
-      throw CLI::ValidationError(
-          "--stock", "`" + text + "` is not Z:RADIUS in mm with falling Z, as 0:32,-20:33");
-    }
-    stock.push_back(*step);
+// Z:RADIUS:HARDNESS, or the file that has them.
+jobs::StockTable stock_of(const IdentifyOptions& options) {
+  const bool is_file =
+      options.stock.size() == 1 && options.stock.front().find(':') == std::string::npos;
+  if (is_file) return jobs::read_stock_table(options.stock.front());
+  std::string text;
+  for (const std::string& step : options.stock) text += (text.empty() ? "" : ",") + step;
+  const auto stock = jobs::stock_of_text(text);
+  if (!stock) {
+    throw CLI::ValidationError(
+        "--stock", "`" + text +
+                       "` is neither a file nor Z:RADIUS or Z:RADIUS:HARDNESS in mm and HB with "
+                       "falling Z, as 0:32:200,-20:33:240");
   }
-  return stock;
+  return *stock;
 }
 
 // What was found: into the file that was asked for, as a picture, and on standard output.
@@ -132,8 +124,10 @@ void add_identify_command(CLI::App& noun, int& exit_code) {
   command->add_option("LOG", options->log, "log of a cut")->required()->type_name("FILE");
   CLI::Option* const stock = command->add_option(
       "--stock", options->stock,
-      "turning: the bar before the cut, in the frame of the program: from Z on this radius, mm");
-  stock->type_name("Z:RADIUS")->delimiter(',');
+      "turning: the bar before the cut, in the frame of the program: from Z on this radius, mm, "
+      "and "
+      "hardness, HB; or a file with z,radius,hardness, or a machine file with its stock");
+  stock->type_name("Z:RADIUS[:HARDNESS]|FILE")->delimiter(',');
   command->add_option("--channel", options->channel, "channel of the cut")
       ->check(CLI::Range(1, 16));
   command->add_option("--spindle", options->spindle, "spindle of the machine, from 1 on")
