@@ -25,6 +25,7 @@ IdentifiedCut<Row> identified_cut(const std::vector<double>& time_s, const std::
   IdentifiedCut<Row> found;
   found.noise = fit.noise;
   found.residual_w = fit.residual_w;
+  found.verdict = fit.verdict;
   found.power = power_points(time_s, rows, fit.fitted_w);
   for (std::size_t k = 0; k < rows.size(); ++k)
     found.rows.push_back({time_s[k], rows[k], fit.fitted_w[k]});
@@ -86,6 +87,13 @@ IdentifiedPlunge identify(const LoggedPlunge& request) {
   return found;
 }
 
+Fields fit_fields(const process::FitVerdict& verdict) {
+  return {{"ok", !verdict.is_refused()},
+          {"kind", text_field(process::name_of(verdict.kind))},
+          {"reason", verdict.reason},
+          {"remedy", verdict.remedy}};
+}
+
 Fields identification_fields(const Identification& found) {
   Fields fields;
   for (const Figure& figure : found.figures) {
@@ -99,6 +107,7 @@ Fields identification_fields(const Identification& found) {
   fields.push_back({"noise", found.noise});
   fields.push_back({"residual_w", found.residual_w});
   fields.push_back({"readings", count_field(found.readings)});
+  fields.push_back({"fit", fit_fields(found.verdict)});
   return fields;
 }
 

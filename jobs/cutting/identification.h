@@ -49,6 +49,7 @@ struct Identification {
   double noise = 0.0;                // of the cutting power, standard deviation
   double residual_w = 0.0;           // rms
   int readings = 0;
+  process::FitVerdict verdict;
   std::vector<PowerPoint> power;  // where there is a reading
   // A file with what was found: [process] of a machine file (turning), or the file that was given
   // with the new figures.
@@ -75,8 +76,12 @@ using IdentifiedPlunge = IdentifiedCut<process::GrindRow>;
 [[nodiscard]] IdentifiedMilling identify(const LoggedMilling& request);
 [[nodiscard]] IdentifiedPlunge identify(const LoggedPlunge& request);
 
-// Each figure with value, low and high, in SI units, then what is said of the fit.
+// Each figure with value, low and high, in SI units, then what is said of the fit: "fit" with "ok",
+// false where the figures are not those of the cut, "kind", "reason" and "remedy", of an "ok" fit
+// where the intervals are widened.
 [[nodiscard]] Fields identification_fields(const Identification& found);
+// Of these, "fit".
+[[nodiscard]] Fields fit_fields(const process::FitVerdict& verdict);
 
 // time_s, what the record has, power_w, fitted_w.
 [[nodiscard]] const Columns<FittedRow<process::CutRow>>& turning_row_columns();

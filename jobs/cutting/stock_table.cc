@@ -59,9 +59,8 @@ StockTable stock_of_machine(const std::filesystem::path& file) {
                    .hardness_hb = cutting.hardness_hb,
                    .hardness_exponent = cutting.hardness_exponent};
   for (const config::StockSection& section : cutting.stock)
-    table.steps.push_back({.z_mm = section.z_mm,
-                           .radius_mm = section.radius_mm,
-                           .hardness_hb = section.hardness_hb});
+    table.steps.push_back(
+        {.z_mm = section.z_mm, .radius_mm = section.radius_mm, .hardness_hb = section.hardness_hb});
   return table;
 }
 

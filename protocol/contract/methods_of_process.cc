@@ -165,8 +165,8 @@ constexpr Parameter stock{.name = "stock",
                           .minimum = 1,
                           .maximum = 1000,
                           .help =
-                              "turning: bar before the cut in program coordinates, as Z:RADIUS in "
-                              "mm, the radius from each Z on: 0:32,-20:33"};
+                              "turning: bar before the cut in program coordinates, as Z:RADIUS or "
+                              "Z:RADIUS:HARDNESS in mm and HB, from each Z on: 0:32,-20:33"};
 
 constexpr Parameter sheet{.name = "program",
                           .minimum = 1,
@@ -344,11 +344,13 @@ constexpr auto process_rows = std::to_array<Method>({
      .help =
          "figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; "
          "si is the same in SI units; power is time s, as recorded W, as fitted W; text is what "
-         "to write into a file",
+         "to write into a file; fit says whether the model fits: if ok is false, the figures are "
+         "not those of the cut; if it is true and there is a reason, their intervals are widened",
      .result = R"({"file":"string","kind":"string","figures":[{"name":"string",
       "value":"number","low":"number","high":"number","si":{"name":"string","value":"number",
       "low":"number","high":"number"}}],"noise":"number","residual_w":"number",
-      "readings":"integer","power":[["number"]],"text":"string"})"},
+      "readings":"integer","fit":{"ok":"boolean","kind":"string","reason":"string",
+      "remedy":"string"},"power":[["number"]],"text":"string"})"},
     {.name = "process.forces",
      .course = Course::reads_program,
      .parameters = of_forces,

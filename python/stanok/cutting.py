@@ -36,6 +36,9 @@ class Estimate:
 class TurningCut:
     """A turning cut with one row for each cycle. ``report`` has the results, as the command prints them as JSON.
 
+    ``report["fit"]`` says whether the model fits: without ``ok``, the values are not those of the cut, and ``reason``
+    and ``remedy`` say why and what helps. If a fit that is ``ok`` has a ``reason``, its intervals are widened.
+
     Every array is ``(n,)``; ``power_w`` is ``nan`` if the sensor had no new value.
     """
 

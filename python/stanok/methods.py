@@ -1025,15 +1025,17 @@ class ProcessMethods:
         efficiency: float | None = None,
     ) -> dict[str, Any]:
         """Figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; si is the same in
-        SI units; power is time s, as recorded W, as fitted W; text is what to write into a file.
+        SI units; power is time s, as recorded W, as fitted W; text is what to write into a file; fit says
+        whether the model fits: if ok is false, the figures are not those of the cut; if it is true and there is
+        a reason, their intervals are widened.
 
         ``process.figures``, for the role observer.
 
         Args:
             file: log, as history.logs lists them.
             kind: kind of cut in the log; default turning.
-            stock: turning: bar before the cut in program coordinates, as Z:RADIUS in mm, the radius from
-                each Z on: 0:32,-20:33.
+            stock: turning: bar before the cut in program coordinates, as Z:RADIUS or Z:RADIUS:HARDNESS in
+                mm and HB, from each Z on: 0:32,-20:33.
             program: file under the program root; milling: tool and material (.toml); grinding: process file
                 (.toml).
             channel: channel; default: the first one; 1 to 999.

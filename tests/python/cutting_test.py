@@ -13,6 +13,10 @@ LATHE = MACHINES / "lathe.toml"
 CUT = ("G21 G90 G18 G7 G40 G54\nT0101\nG97 S300 M3\nG4 F1.5\nS600\nG4 F1.5\nG95\nG0 X60 Z2\nG1 Z-10 F0.1\nZ-20 F0.3\n"
        "Z-30 F0.15\nZ-40 F0.4\nG0 X72\nZ5 M5\nM30\n")
 STOCK = [(0.0, 32.0), (-20.0, 33.0), (-40.0, 32.0)]  # as lathe.toml has it
+HARD_CUT = ("G21 G90 G18 G7 G40 G54\nT0101\nG97 S300 M3\nG4 F1.5\nS600\nG4 F1.5\nG95\nG0 X60 Z2\nG1 Z-15 F0.2\n"
+            "Z-30 F0.4\nZ-50 F0.2\nZ-65 F0.4\nZ-75 F0.2\nZ-85 F0.4\nG0 X72\nZ5 M5\nM30\n")
+HARD_STOCK = [(0.0, 32.0, 200.0), (-20.0, 33.0, 200.0), (-40.0, 32.0, 200.0), (-60.0, 32.0, 260.0),
+              (-80.0, 32.0, 170.0)]  # as lathe.toml has it, HB
 
 
 class Turning(InFolder):
@@ -22,6 +26,7 @@ class Turning(InFolder):
         text = command("process", "identify", log, "--stock", "0:32,-20:33,-40:32", "--coefficient", 1600, "--json")
         cut = cutting.identify_turning(log, STOCK, coefficient_n=1600.0)
         self.assertEqual(cut.report, json.loads(text))
+        self.assertEqual(cut.report["fit"], {"ok": True, "kind": "none", "reason": "", "remedy": ""})
         # [simulation.cutting] of lathe.toml: C = 1600 N, efficiency 0.85; y = 0.75 where it says nothing.
         self.assertAlmostEqual(cut.estimate("coefficient_over_efficiency_n").value / (1600.0 / 0.85), 1.0, delta=0.01)
         self.assertAlmostEqual(cut.estimate("exponent").value, 0.75, delta=0.01)
@@ -34,6 +39,25 @@ class Turning(InFolder):
         self.assertEqual(int(read.sum()), cut.report["readings"])
         residual = cut.power_w[read] - cut.fitted_w[read]
         self.assertLess(float(np.abs(np.median(residual))), 1.0)
+
+    def test_steps_of_hardness_are_a_misfit_unless_the_stock_has_them(self):
+        log = self.folder / "cut.lcm"
+        stanok.simulate(LATHE, self.write("cut.nc", HARD_CUT), drives="simulated", log=log)
+        plain = cutting.identify_turning(log, [(z, radius) for z, radius, _ in HARD_STOCK])
+        self.assertEqual((plain.report["fit"]["ok"], plain.report["fit"]["kind"]), (False, "steps"))
+        self.assertIn("the model does not fit because the force from Z", plain.report["fit"]["reason"])
+        out = self.folder / "out.toml"
+        told = command("process", "identify", log, "--stock", "0:32,-20:33,-40:32", "--out", out, code=1)
+        self.assertIn("steps of hardness", told)
+        self.assertNotIn("exponent y", told)
+        self.assertFalse(out.exists())
+        cut = cutting.identify_turning(log, HARD_STOCK)
+        self.assertEqual(cut.report["fit"]["kind"], "none")
+        self.assertAlmostEqual(cut.estimate("coefficient_over_efficiency_n").value / (1600.0 / 0.85), 1.0, delta=0.01)
+        self.assertAlmostEqual(cut.estimate("exponent").value, 0.75, delta=0.01)
+        # HB_0 of lathe.toml is that of its first section.
+        of_machine = json.loads(command("process", "identify", log, "--stock", LATHE, "--json"))
+        self.assertEqual(of_machine, cut.report)
 
 
 # Tool 3: end mill of 6 mm with three teeth. Slots with two feeds, then 3 mm of width, at two speeds; the walls of the

@@ -9,6 +9,7 @@
 #include "daemon/desk/process/process_answers.h"
 #include "daemon/desk/process/process_desk.h"
 #include "jobs/cutting/identification.h"
+#include "protocol/contract/fields_json.h"
 
 namespace stanok::daemon {
 namespace {
@@ -43,6 +44,7 @@ json found_json(const jobs::Identification& found) {
           {"noise", found.noise},
           {"residual_w", found.residual_w},
           {"readings", found.readings},
+          {"fit", protocol::fields_json(jobs::fit_fields(found.verdict))},
           {"power", jobs::thinned(found.power, ProcessDesk::rows_max,
                                   jobs::columns_named(jobs::power_columns(),
                                                       {"time_s", "recorded_w", "model_w"}))},

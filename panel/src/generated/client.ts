@@ -1323,7 +1323,7 @@ export interface Methods {
       program: string;
     };
   };
-  /** figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; si is the same in SI units; power is time s, as recorded W, as fitted W; text is what to write into a file */
+  /** figures of a cut from its log, as `stanok process identify`, with intervals of 95 %; si is the same in SI units; power is time s, as recorded W, as fitted W; text is what to write into a file; fit says whether the model fits: if ok is false, the figures are not those of the cut; if it is true and there is a reason, their intervals are widened */
   "process.figures": {
     params: {
       file: string;
@@ -1353,6 +1353,12 @@ export interface Methods {
         value: number;
       }[];
       file: string;
+      fit: {
+        kind: string;
+        ok: boolean;
+        reason: string;
+        remedy: string;
+      };
       kind: string;
       noise: number;
       power: number[][];

@@ -126,6 +126,7 @@ TEST_F(GrindLogOfACycle, TellsStiffnessAndForceLaw) {
   const process::GrindingProcess sheet = config::read_grinding_file(sheet_file).process;
   const auto fit = process::fit_grinding(log.record, sheet);
   ASSERT_TRUE(fit.has_value()) << fit.error();
+  EXPECT_FALSE(fit->verdict.is_refused()) << fit->verdict.reason;
   const process::GrindingProcess truth = hidden_machine();
   expect_near(fit->stiffness_n_per_m, truth.stiffness_n_per_m);
   expect_near(fit->force_factor, truth.force_factor);
@@ -148,6 +149,7 @@ TEST_F(GrindLogOfACycle, TellsStiffnessAndForceLaw) {
   EXPECT_EQ(identified.rows.size(), log.record.rows.size());
   EXPECT_EQ(identified.text, with_figures(old, *fit));
   EXPECT_EQ(identification_fields(identified).front().name, "stiffness_n_per_m");
+  EXPECT_EQ(identification_fields(identified).back().name, "fit");
 
   // What it lacks it says.
   const auto fault = [&](const GrindLogRequest& asked) {

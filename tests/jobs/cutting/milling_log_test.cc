@@ -132,6 +132,7 @@ TEST(MillingLogOfAProgram, TellsForcesAndIdlePower) {
   const MillingLog log = read_milling_log(log_file, request);
   const auto fit = process::fit_milling(log.record);
   ASSERT_TRUE(fit.has_value()) << fit.error();
+  EXPECT_FALSE(fit->verdict.is_refused()) << fit->verdict.reason;
   RecordProperty("force", std::to_string(fit->force_n_per_mm2.value));
   RecordProperty("edge", std::to_string(fit->edge_n_per_mm.value));
   // The virtual workpiece knows the cut to about a hundredth.

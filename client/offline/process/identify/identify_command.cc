@@ -56,16 +56,18 @@ jobs::StockTable stock_of(const IdentifyOptions& options) {
   return *stock;
 }
 
-// What was found: into the file that was asked for, as a picture, and on standard output.
+// What was found: into the file that was asked for, as a picture, and on standard output. A fit
+// that is refused has no file.
 int tell(const IdentifyOptions& options, const jobs::Identification& found) {
-  if (!options.out.empty()) write_text_file(options.out, found.text);
+  const bool is_refused = found.verdict.is_refused();
+  if (!options.out.empty() && !is_refused) write_text_file(options.out, found.text);
   if (!options.picture.empty()) draw_picture(found, options.picture);
   if (options.json) {
     write_json(protocol::fields_json(jobs::identification_fields(found)));
   } else {
     write_data(to_text(found));
   }
-  return 0;
+  return is_refused ? exit_failed : 0;
 }
 
 int run_grinding(const IdentifyOptions& options) {
@@ -120,7 +122,7 @@ void add_identify_command(CLI::App& noun, int& exit_code) {
   CLI::App* command = noun.add_subcommand(
       "identify",
       "idle power, lag of the sensor and force of the material from the log of a cut: turning, "
-      "milling, or grinding with the stiffness");
+      "milling, or grinding with the stiffness; exit code 1: the model does not fit the log");
   command->add_option("LOG", options->log, "log of a cut")->required()->type_name("FILE");
   CLI::Option* const stock = command->add_option(
       "--stock", options->stock,

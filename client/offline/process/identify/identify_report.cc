@@ -28,7 +28,13 @@ std::string idle_text(const std::optional<jobs::IdlePower>& idle) {
 }  // namespace
 
 std::string to_text(const jobs::Identification& found) {
-  return figures_text(found.figures) + idle_text(found.idle) +
+  const process::FitVerdict& verdict = found.verdict;
+  std::string text;
+  if (!verdict.reason.empty()) text = verdict.reason + "\n" + verdict.remedy + "\n";
+  if (verdict.state == process::FitState::widened)
+    text += "the intervals are widened by what this may do to the figures\n";
+  if (!verdict.is_refused()) text += figures_text(found.figures) + idle_text(found.idle);
+  return text +
          fmt::format("{} readings, noise {:.1f} % of the cutting power, {:.1f} W left (rms)\n",
                      found.readings, 100.0 * found.noise, found.residual_w);
 }

@@ -8,7 +8,8 @@
 
 namespace stanok::client {
 
-// A table of the figures with what the intervals are, and how good the fit is.
+// A table of the figures with what the intervals are, and how good the fit is; without the figures
+// where the model does not fit.
 [[nodiscard]] std::string to_text(const jobs::Identification& found);
 // Throws std::runtime_error where it cannot be drawn.
 void draw_picture(const jobs::Identification& found, const std::filesystem::path& file);
