@@ -141,16 +141,13 @@ async function planned(client) {
 
 /** From where the path is seen: of a picture that stands, and that no frame changes any more. */
 async function seenFrom(page) {
-  return until(
-    'a picture that stands',
-    () =>
-      page.evaluate(async () => {
-        const before = window.drawnFrom();
-        for (let frame = 0; frame < 5; ++frame) await new Promise(requestAnimationFrame);
-        const stands = document.querySelector('canvas')?.dataset.how === 'standing';
-        return stands && before.length > 0 && `${before}` === `${window.drawnFrom()}` && before;
-      }),
-    120,
+  return until('a picture that stands', () =>
+    page.evaluate(async () => {
+      const before = window.drawnFrom();
+      for (let frame = 0; frame < 5; ++frame) await new Promise(requestAnimationFrame);
+      const stands = document.querySelector('canvas')?.dataset.how === 'standing';
+      return stands && before.length > 0 && `${before}` === `${window.drawnFrom()}` && before;
+    }),
   );
 }
 
@@ -161,7 +158,6 @@ async function goNearer(page) {
   await until(
     'a nearer picture',
     async () => far(await page.evaluate(() => window.drawnFrom()), before) > 0,
-    120,
   );
   await seenFrom(page);
 }

@@ -127,7 +127,7 @@ test('the part is seen while it is cut, in the colours of its tools', async () =
   await tools.getByText('T1').waitFor({ timeout: 60_000 });
   await tools.getByText('T2').waitFor({ timeout: 60_000 });
   await tools.getByText('blank').waitFor();
-  await until('the program is over', isOver, 90);
+  await until('the program is over', isOver);
   await show('programs');
   await page.getByText(/ran \d\d:\d\d$/).waitFor();
   await show('path');
@@ -212,13 +212,13 @@ test('its colours say so, with a scale in mm', async () => {
   await show('path');
   const canvas = page.locator('canvas');
   const triangles = async () => Number(await canvas.getAttribute('data-triangles'));
-  await until('the part', async () => (await triangles()) === trianglesOfPart, 60);
+  await until('the part', async () => (await triangles()) === trianglesOfPart);
   await page.getByLabel('Colors of the part').selectOption('Deviation from blank.stl');
   await page.getByLabel('Scale of deviations').selectOption('± 2 mm');
   const scale = page.getByRole('list', { name: 'Deviation, mm' });
   await scale.getByText('below −1.429 mm: overcut').waitFor();
   await scale.getByText('−0.286 to 0.286').waitFor();
-  await until('the whole part', async () => (await triangles()) === trianglesOfPart, 60);
+  await until('the whole part', async () => (await triangles()) === trianglesOfPart);
   assert.deepEqual(await findings(), []);
   await picture('deviation');
   writeFileSync(join(stage.programs, 'blank.stl'), 'M30\n');
@@ -318,7 +318,7 @@ test('cursors tell values and differences; the recording is a table', async () =
       .toString(),
     'PNG',
   );
-  await until('the program is over', isOver, 90);
+  await until('the program is over', isOver);
 });
 
 test('programs of the queue begin one after the other, and none behind a reset', async () => {
@@ -342,7 +342,7 @@ test('programs of the queue begin one after the other, and none behind a reset',
   await queue.getByRole('button', { name: 'Yes' }).click();
   await queue.getByText('running').waitFor();
   const status = () => stage.status();
-  await until('the third one', async () => (await status()).program === 'long.nc', 60);
+  await until('the third one', async () => (await status()).program === 'long.nc');
   await until('two that wait', async () => (await waiting()) === 2);
   await queue.getByText('long.nc').waitFor();
   assert.deepEqual(await findings(), []);

@@ -25,7 +25,7 @@ export const full = process.env.STANOK_FULL === '1';
 export const password = 'a long password';
 
 /** Asks `condition` until it is true; never trusts a time, except for giving up. */
-export async function until(what, condition, limit_s = 30) {
+export async function until(what, condition, limit_s = 120) {
   const end = Date.now() + limit_s * 1000;
   for (;;) {
     const value = await condition();
