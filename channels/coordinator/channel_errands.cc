@@ -1,6 +1,18 @@
 #include "channels/coordinator/channel_errands.h"
 
 namespace stanok::channels {
+
+using errand_states::Asked;
+using errand_states::ChangingScheme;
+using errand_states::Ending;
+using errand_states::Homing;
+using errand_states::IndexSearching;
+using errand_states::Loaded;
+using errand_states::Loading;
+using errand_states::LoopClosing;
+using errand_states::Parking;
+using errand_states::SpindleStopping;
+
 namespace {
 
 // A drive needs several polls of the bus from switch-on to holding its axis.
@@ -41,22 +53,22 @@ Verdict ChannelErrands::step(Errand& errand, const requests::ProgramLoad& reques
 }
 
 Verdict ChannelErrands::load(Errand& errand, const ShortText& text, Job job) RT_SAFE {
-  if (errand.stage > 0) return await_load(errand);
+  if (errand.is<Loading>()) return await_load(errand);
   if (const auto refused = obstacle(errand, OperatorAction::program_load)) return *refused;
   target_of(errand).items().begin_load(text, job);
-  errand.stage = 1;
+  errand.state = ErrandState(Loading{});
   return pending();
 }
 
 Verdict ChannelErrands::step(Errand& errand, const requests::Search& request) RT_SAFE {
-  if (errand.stage > 0) return await_load(errand);
+  if (errand.is<Loading>()) return await_load(errand);
   Channel& target = target_of(errand);
   if (const auto refused = obstacle(errand, OperatorAction::program_search)) return *refused;
   if (!target.state().has_program())
     return refusal_of(target.id(), "E6005", ": no program is loaded");
   if (!target.is_quiet()) return pending();
   target.items().begin_search(request.target, request.way, request.passes);
-  errand.stage = 1;
+  errand.state = ErrandState(Loading{});
   return pending();
 }
 
@@ -108,25 +120,24 @@ Verdict ChannelErrands::step(Errand& errand, const requests::LineRun& request) R
 }
 
 Verdict ChannelErrands::run(Errand& errand, const ShortText& text, Job job) RT_SAFE {
-  constexpr int loaded = 2;
-  if (errand.stage < loaded) {
-    if (errand.stage == 0) {
-      if (const auto refused = obstacle(errand, OperatorAction::program_run)) return *refused;
-    }
+  if (errand.is<Asked>()) {
+    if (const auto refused = obstacle(errand, OperatorAction::program_run)) return *refused;
+  }
+  if (!errand.is<Loaded>()) {
     const Verdict verdict = load(errand, text, job);
     if (!verdict.done || !verdict.ok) return verdict;
-    errand.stage = loaded;
+    errand.state = ErrandState(Loaded{});
   }
   return start(errand, OperatorAction::program_run, job);
 }
 
 Verdict ChannelErrands::step(Errand& errand, const requests::ProgramStop& /*request*/) RT_SAFE {
   Channel& target = target_of(errand);
-  if (errand.stage == 0) {
+  if (errand.is<Asked>()) {
     if (!is_busy(target)) return refusal_of(target.id(), "E6007", ": nothing was running");
     target.run.hold(errand.asker == operator_asker ? HoldCause::operator_hold
                                                    : HoldCause::channel_stop);
-    errand.stage = 1;
+    errand.state = ErrandState(Ending{});
   }
   if (!is_busy(target)) return success();
   return target.motion.is_standing() ? success() : pending();
@@ -134,9 +145,9 @@ Verdict ChannelErrands::step(Errand& errand, const requests::ProgramStop& /*requ
 
 Verdict ChannelErrands::step(Errand& errand, const requests::ProgramReset& /*request*/) RT_SAFE {
   Channel& target = target_of(errand);
-  if (errand.stage == 0) {
+  if (errand.is<Asked>()) {
     target.run.begin_reset();
-    errand.stage = 1;
+    errand.state = ErrandState(Ending{});
     return pending();
   }
   return target.state().is_ending() ? pending() : success();
@@ -144,15 +155,15 @@ Verdict ChannelErrands::step(Errand& errand, const requests::ProgramReset& /*req
 
 // Axes that the scheme parks are released for the search and come back to where they are parked.
 Verdict ChannelErrands::step(Errand& errand, const requests::Home& request) RT_SAFE {
-  if (errand.stage == 0) return begin_homing(errand, request.axis.view());
+  if (errand.is<Asked>()) return begin_homing(errand, request.axis.view());
   Channel& target = target_of(errand);
   const ManualMotion& manual = target.motion.manual();
   if (manual.is_active() || target.state().is_ending()) return pending();
   const bool found = manual.homing() == ManualMotion::HomingState::succeeded;
   const bool is_overtaken = errand.generation != target.run.generation();
-  if (errand.stage == 1 && found && !is_overtaken) {
+  if (errand.is<Homing>() && found && !is_overtaken) {
     target.return_to_parking();
-    errand.stage = 2;
+    errand.state = ErrandState(Parking{});
     return pending();
   }
   if (target.state().is_powered()) target.power(Power::on);  // what is parked is braked again
@@ -171,13 +182,13 @@ Verdict ChannelErrands::begin_homing(Errand& errand, std::string_view name) RT_S
   target.axes.release(axes);
   if (!target.drives.all_ready()) return await_drives(errand);
   target.home(axes);
-  errand.stage = 1;
+  errand.state = ErrandState(Homing{});
   return pending();
 }
 
 Verdict ChannelErrands::step(Errand& errand, const requests::KinematicsSelect& request) RT_SAFE {
   Channel& target = target_of(errand);
-  if (errand.stage == 0) {
+  if (errand.is<Asked>()) {
     const bool is_own = errand.asker == errand.target;
     if (target.schemes.find(request.scheme) == nullptr)
       return refusal("E5201", "the channel has no such kinematic scheme");
@@ -188,7 +199,7 @@ Verdict ChannelErrands::step(Errand& errand, const requests::KinematicsSelect& r
     if (const auto homeless = unreferenced(target, axes)) return *homeless;
     if (const auto taken = claim(errand.target, axes)) return *taken;
     target.items().begin_switch(request.scheme);
-    errand.stage = 1;
+    errand.state = ErrandState(ChangingScheme{});
     return pending();
   }
   const KinematicsChange& change = target.items().change();
@@ -200,29 +211,21 @@ Verdict ChannelErrands::step(Errand& errand, const requests::KinematicsSelect& r
 
 Verdict ChannelErrands::spindle_to_axis(Errand& errand, int spindle) RT_SAFE {
   Channel& asker = channels_[errand.asker];
-  const ManualMotion& manual = asker.motion.manual();
-  switch (errand.stage) {
-    case 0:
-      asker.spindles.stop(spindle);
-      errand.stage = 1;
-      return pending();
-    case 1:
-      if (!asker.spindles.stands(spindle)) {
-        if (waited_s(errand) < spindle_stands_within_s) return pending();
-        return refusal("E5206", "the spindle that is to become an axis does not come to rest");
-      }
-      asker.spindles.close_position_loop(spindle);
-      errand.stage = 2;
-      errand.cycles = 0;
-      return pending();
-    case 2:
-      return await_axis(errand, asker, spindle);
-    default:
-      if (manual.homing() == ManualMotion::HomingState::running) return pending();
-      if (manual.homing() == ManualMotion::HomingState::succeeded) return success();
-      asker.spindles.open_position_loop(spindle);
-      return refusal("E5207", manual.homing_fault().view());
+  if (errand.is<LoopClosing>()) return await_axis(errand, asker, spindle);
+  if (errand.is<IndexSearching>()) return await_index(asker, spindle);
+  if (errand.is<Asked>()) {
+    asker.spindles.stop(spindle);
+    errand.state = ErrandState(SpindleStopping{});
+    return pending();
   }
+  if (!asker.spindles.stands(spindle)) {
+    if (waited_s(errand) < spindle_stands_within_s) return pending();
+    return refusal("E5206", "the spindle that is to become an axis does not come to rest");
+  }
+  asker.spindles.close_position_loop(spindle);
+  errand.state = ErrandState(LoopClosing{});
+  errand.cycles = 0;
+  return pending();
 }
 
 Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker, int spindle) RT_SAFE {
@@ -230,7 +233,7 @@ Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker, int spindle) 
   const bool is_homed = asker.drives.is_homed(asker.spindles.axis_of(spindle));
   if (is_closed && is_homed) return success();
   if (is_closed && asker.begin_homing_of_spindle(spindle)) {
-    errand.stage = 3;
+    errand.state = ErrandState(IndexSearching{});
     return pending();
   }
   if (waited_s(errand) < drives_ready_within_s) return pending();
@@ -238,6 +241,14 @@ Verdict ChannelErrands::await_axis(Errand& errand, Channel& asker, int spindle) 
   return is_homed ? refusal("E5206", "the drive does not close the position loop of the axis")
                   : refusal("E5207",
                             "the spindle that is to become an axis has not found its index pulse");
+}
+
+Verdict ChannelErrands::await_index(Channel& asker, int spindle) const RT_SAFE {
+  const ManualMotion& manual = asker.motion.manual();
+  if (manual.homing() == ManualMotion::HomingState::running) return pending();
+  if (manual.homing() == ManualMotion::HomingState::succeeded) return success();
+  asker.spindles.open_position_loop(spindle);
+  return refusal("E5207", manual.homing_fault().view());
 }
 
 // Why what was asked for may not begin now: what the channel does, a stop since it was asked, or

@@ -69,6 +69,7 @@ class ChannelErrands {
   [[nodiscard]] Verdict start(const Errand& errand, OperatorAction action, Job job) RT_SAFE;
   [[nodiscard]] Verdict begin_homing(Errand& errand, std::string_view axis) RT_SAFE;
   [[nodiscard]] Verdict await_axis(Errand& errand, Channel& asker, int spindle) RT_SAFE;
+  [[nodiscard]] Verdict await_index(Channel& asker, int spindle) const RT_SAFE;
 
   const ChannelTable& channels_;
   AxisOwnership& ownership_;

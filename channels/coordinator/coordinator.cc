@@ -186,7 +186,9 @@ void Coordinator::begin_errand(const OperatorEvent& event, int target) RT_SAFE {
   slot->generation = run.generation();
   slot->controller = control_.of(target);
   slot->request = visit_in_cycle(Commission{}, event.command);
-  slot->stage = stops ? 1 : 0;  // it has begun; what is left is to wait for rest
+  if (stops)
+    slot->state =
+        ErrandState(errand_states::Ending{});  // it has begun; what is left is to wait for rest
 }
 
 void Coordinator::step() RT_SAFE {

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
+#include "base/rt_safe.h"
+#include "channels/coordinator/errand_state.h"
 #include "channels/coordinator/wait_graph.h"
 #include "channels/messages/request.h"
 #include "motion/path/path.h"
@@ -22,11 +25,13 @@ struct Errand {
   std::uint32_t generation = 0;  // of the target, when it was asked
   std::int32_t controller = 0;   // of the target, when it was asked
   Request request;
-  // How far it is.
-  int stage = 0;
-  std::int64_t cycles = 0;        // since the errand, or its stage, began
-  std::uint32_t awaited_run = 0;  // EndWait, behind its first step: of the target
-  bool input_was_on = false;      // InputWait, behind its first step: in the cycle before
+  ErrandState state;
+  std::int64_t cycles = 0;  // since the errand began, or what may take a limited time
+
+  template <class State>
+  [[nodiscard]] bool is() const RT_SAFE {
+    return std::holds_alternative<State>(state);
+  }
 };
 
 }  // namespace stanok::channels

@@ -138,9 +138,9 @@ Verdict ValueDesk::step(Errand& errand) RT_SAFE {
 
 Verdict ValueDesk::wait_for(const requests::InputWait& wait, Errand& errand) const RT_SAFE {
   const bool now = stores_.inputs->is_on(wait.input);
-  const bool before = errand.stage == 0 ? now : errand.input_was_on;
-  errand.stage = 1;
-  errand.input_was_on = now;
+  const auto* const watched = std::get_if<errand_states::WatchingInput>(&errand.state);
+  const bool before = watched == nullptr ? now : watched->was_on;
+  errand.state = ErrandState(errand_states::WatchingInput{now});
   if (has_happened(wait.event, {.before = before, .now = now})) return success(now ? 1.0 : 0.0);
   const bool over = static_cast<double>(errand.cycles) * cycle_s_ >= wait.seconds;
   return over ? success(-1.0) : pending();

@@ -12,18 +12,18 @@ void append_place(const FileName& file, std::uint32_t line, ReasonText& text) RT
 
 Verdict WaitDesk::wait_for_end(Errand& errand, double seconds, const Channel& target) const
     RT_SAFE {
-  if (errand.stage == 0) {
+  if (errand.is<errand_states::Asked>()) {
     if (!target.state().is_running() && target.runs.was_reset()) return success();
-    errand.awaited_run = target.runs.run();
-    errand.stage = 1;
+    errand.state = ErrandState(errand_states::AwaitingEnd{target.runs.run()});
     if (errand.asker != operator_asker && target.state().is_running()) {
       if (const auto verdict = deadlock(errand.asker)) return *verdict;
     }
   }
-  if (target.has_ended(errand.awaited_run)) {
-    if (errand.awaited_run == 0 || target.runs.ended_well(errand.awaited_run)) return success();
+  const std::uint32_t run = std::get_if<errand_states::AwaitingEnd>(&errand.state)->run;
+  if (target.has_ended(run)) {
+    if (run == 0 || target.runs.ended_well(run)) return success();
     const ChannelAlarm& alarm = target.log.last_alarm();
-    if (alarm.run != errand.awaited_run) return refusal_of(target.id(), "E6010", " was reset");
+    if (alarm.run != run) return refusal_of(target.id(), "E6010", " was reset");
     Verdict verdict = refusal_of(target.id(), "E6010", " ended with alarm ");
     verdict.text.append(alarm.code.view());
     append_place(alarm.file, alarm.line, verdict.text);
@@ -45,13 +45,13 @@ bool WaitDesk::comes_to_mark(int index) RT_SAFE {
   const Errand& errand = errand_of(index);
   const bool waits = errand.active && std::holds_alternative<requests::MarkWait>(errand.request);
   if (!waits && !channels_[index].marks.is_waiting()) rendezvous_.leave(index);
-  return waits && errand.stage == 0;
+  return waits && errand.is<errand_states::Asked>();
 }
 
 std::optional<Verdict> WaitDesk::arrive_at_mark(int index) RT_SAFE {
   Errand& errand = errand_of(index);
   const auto& mark = *std::get_if<requests::MarkWait>(&errand.request);
-  errand.stage = 1;
+  errand.state = ErrandState(errand_states::AtMark{});
   rendezvous_.arrive(index, mark.mark, channels_.with_ids(mark.channels), errand.tag);
   const auto fault = fault_of_arrival(index);
   if (fault) rendezvous_.leave(index);
@@ -166,9 +166,9 @@ ChannelSet WaitDesk::awaited_by(int index) const RT_SAFE {
   const Rendezvous::Arrival& arrival = rendezvous_.at(index);
   if (arrival.present && !arrival.met)
     return rendezvous_.missing(index, arrival.mark, arrival.members);
-  const bool waits = errand.active && errand.stage == 1 &&
-                     std::holds_alternative<requests::EndWait>(errand.request);
-  if (!waits || channels_[errand.target].has_ended(errand.awaited_run)) return 0;
+  const auto* const waits = std::get_if<errand_states::AwaitingEnd>(&errand.state);
+  if (!errand.active || waits == nullptr || channels_[errand.target].has_ended(waits->run))
+    return 0;
   return channel_bit(errand.target);
 }
 
@@ -185,8 +185,8 @@ void WaitDesk::describe_wait(int index, int awaited, ReasonText& text) const RT_
 bool WaitDesk::is_waiting_for_channels(int index) const RT_SAFE {
   if (channels_[index].marks.is_waiting()) return rendezvous_.at(index).present;
   const Errand& errand = errand_of(index);
-  if (!errand.active || errand.stage == 0) return false;
-  if (std::holds_alternative<requests::MarkWait>(errand.request)) return !rendezvous_.at(index).met;
+  if (!errand.active || errand.is<errand_states::Asked>()) return false;
+  if (errand.is<errand_states::AtMark>()) return !rendezvous_.at(index).met;
   const auto* const wait = std::get_if<requests::EndWait>(&errand.request);
   return wait != nullptr && wait->seconds < 0.0;
 }

@@ -161,7 +161,7 @@ TEST_F(ValueDeskTest, AnInputThatIsWaitedForRisesOrTheTimeIsOver) {
   bench_.inputs.set(5, true);
   EXPECT_EQ(desk_.step(wait).number, 1.0);
   Errand late = wait;
-  late.stage = 0;
+  late.state = errand_states::Asked{};
   late.cycles = 3;
   EXPECT_EQ(desk_.step(late).number, -1.0);
 }
