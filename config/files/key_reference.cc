@@ -42,7 +42,7 @@ std::vector<KeySection> key_sections() {
       {"[machine]", describe(machine_keys())},
       {"[[axis]]", axis_key_rows()},
       {"[axis.homing]", homing_key_rows()},
-      {"[axis.regulator]", controller_key_rows()},
+      {"[axis.position_controller]", controller_key_rows()},
       {"[axis.drive]", drive_key_rows()},
       {"[axis.drive.map]", register_map_key_rows()},
       {"a quantity of [axis.drive.map]", register_field_key_rows()},

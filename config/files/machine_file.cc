@@ -246,8 +246,9 @@ class MachineReader {
       const channels::AxisConfig& axis = file_.machine.axes[i];
       const bool in_cycle = axis.controller.feedback == channels::FeedbackPlace::cycle;
       if (!in_cycle || axis.controller.gains.kp <= kp_max) continue;
-      const toml::table& controller = *top_.axes->get(i)->as_table()->get("regulator")->as_table();
-      Scope{faults_, "axis " + axis.name + ": regulator"}.fault(
+      const toml::table& controller =
+          *top_.axes->get(i)->as_table()->get("position_controller")->as_table();
+      Scope{faults_, "axis " + axis.name + ": position_controller"}.fault(
           place_of(controller, "kp"),
           "kp is " + number_text(axis.controller.gains.kp) + "; with poll_ms = " +
               std::to_string(file_.bus.poll_ms) + " the loop is well damped up to about " +

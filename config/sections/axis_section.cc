@@ -29,7 +29,7 @@ struct AxisFile {
 
 struct HomingFile {
   channels::HomingConfig homing;
-  std::string mark = "switch";
+  std::string home_switch = "switch";
 };
 
 struct ControllerFile {
@@ -71,7 +71,14 @@ const Keys<AxisFile>& axis_keys() {
        "one turn of a rotary axis that takes the shortest way with G90; 0: the position counts on",
        not_negative},
       {"homing", at<&AxisFile::homing>, optional, "", "how the axis finds its home position"},
-      {"regulator", at<&AxisFile::controller>, optional, "", "position controller"},
+      {"position_controller",
+       at<&AxisFile::controller>,
+       optional,
+       "",
+       "gains, and where the position loop is closed",
+       any,
+       {},
+       "regulator"},
       {"drive", at<&AxisFile::drive>, optional, "", "drive on the bus of [drives]"},
       {"plant", at<&AxisFile::plant>, optional, "",
        "mechanics of the simulated drive: encoder, switches, backlash, friction"},
@@ -92,10 +99,15 @@ const Keys<HomingFile>& homing_keys() {
       {"velocity_slow", at<&HomingFile::homing, &HomingConfig::velocity_slow>, optional,
        "mm/s, deg/s", "velocity of the approach to the switch or index pulse", positive,
        "a tenth of velocity"},
-      {"mark", at<&HomingFile::mark>, optional, "",
+      {"home_switch",
+       at<&HomingFile::home_switch>,
+       optional,
+       "",
        "what ends the search: the home switch, the limit switch on that side or, for a rotary "
        "axis, the index pulse",
-       one_of({"switch", "limit", "index"})},
+       one_of({"switch", "limit", "index"}),
+       {},
+       "mark"},
       {"index", at<&HomingFile::homing, &HomingConfig::index>, optional, "",
        "use the first index pulse of the encoder after the switch instead of the edge of the "
        "switch"},
@@ -246,8 +258,8 @@ void read_homing(const toml::table& table, AxisConfig& axis, const Scope& scope)
   HomingFile file;
   read_table(table, homing_keys(), file, scope);
   axis.homing = file.homing;
-  if (file.mark == "limit") axis.homing.signal = channels::HomingSignal::limit_switch;
-  if (file.mark == "index") axis.homing.signal = channels::HomingSignal::index_alone;
+  if (file.home_switch == "limit") axis.homing.signal = channels::HomingSignal::limit_switch;
+  if (file.home_switch == "index") axis.homing.signal = channels::HomingSignal::index_alone;
   if (!table.contains("velocity_slow"))
     axis.homing.velocity_slow = slow_usual * std::abs(axis.homing.velocity);
   check_homing(table, axis, scope);
@@ -299,7 +311,8 @@ AxisSection read_axis(const toml::table& table, int place, const Scope& scope) {
   if (file.homing != nullptr) {
     read_homing(*file.homing, axis, scope.inner("homing"));
   }
-  if (file.controller != nullptr) read_controller(*file.controller, axis, scope.inner("regulator"));
+  if (file.controller != nullptr)
+    read_controller(*file.controller, axis, scope.inner("position_controller"));
   read_drive_of(file, place, section, scope);
   if (file.plant != nullptr) section.plant = read_axis_plant(*file.plant, scope.inner("plant"));
   return section;

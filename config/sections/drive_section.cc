@@ -231,7 +231,8 @@ void take_kind(const toml::table& table, const std::string& kind, DriveLoad load
     scope.fault(place_of(table, "kind"),
                 given == DriveKind::on_off
                     ? "a drive that only runs or stops cannot move an axis; it may drive a spindle"
-                    : "kind and [axis.regulator] feedback differ: feedback = \"drive\" goes with a "
+                    : "kind and [axis.position_controller] feedback differ: feedback = \"drive\" "
+                      "goes with a "
                       "position drive, \"cycle\" with a velocity drive");
   } else {
     drive.kind = given;

@@ -283,6 +283,11 @@ void read_value(const toml::node& node, const KeyText& key, const Scope& scope, 
     wrong_kind(node, key, scope, "tables, each under [[" + std::string(key.name) + "]]");
 }
 
+void refuse_former_name(const toml::table& table, const KeyText& key, const Scope& scope) {
+  if (const toml::node* node = table.get(key.former); node != nullptr)
+    scope.fault(node->source(), quoted(key.former) + " is called " + quoted(key.name) + " now");
+}
+
 void missing_key(const toml::table& table, const KeyText& key, const Scope& scope) {
   scope.fault(table.source(),
               "key " + quoted(key.name) + " is missing; add it (" + explained(key) + ")");

@@ -63,6 +63,7 @@ struct KeyText {
   std::string_view meaning;
   Allowed allowed{};
   std::string_view initial{};  // default in words, where it is not the initial value
+  std::string_view former{};   // what the key was called in an older version
 };
 
 using Numbers3 = std::array<double, 3>;
@@ -96,8 +97,11 @@ struct Key {
   std::string_view meaning;
   Allowed allowed{};
   std::string_view initial{};
+  std::string_view former{};
 
-  [[nodiscard]] KeyText text() const { return {name, presence, unit, meaning, allowed, initial}; }
+  [[nodiscard]] KeyText text() const {
+    return {name, presence, unit, meaning, allowed, initial, former};
+  }
 };
 
 template <class Target>
@@ -155,6 +159,8 @@ void read_value(const toml::node&, const KeyText&, const Scope&, Subtable& value
 void read_value(const toml::node&, const KeyText&, const Scope&, Subtables& value);
 
 void missing_key(const toml::table&, const KeyText&, const Scope&);
+// A fault where the table has the key by its former name.
+void refuse_former_name(const toml::table&, const KeyText&, const Scope&);
 
 // Kind and default of a member, for the documentation.
 struct KindText {
@@ -198,7 +204,12 @@ void read_table(const toml::table& table, const Keys<Target>& keys, Target& targ
                 const Scope& scope) {
   read_keys(table, keys, target, scope);
   std::vector<std::string_view> names;
-  for (const Key<Target>& key : keys) names.push_back(key.name);
+  for (const Key<Target>& key : keys) {
+    names.push_back(key.name);
+    if (key.former.empty()) continue;
+    names.push_back(key.former);
+    detail::refuse_former_name(table, key.text(), scope);
+  }
   refuse_unknown_keys(table, names, scope);
 }
 

@@ -171,12 +171,18 @@ const Case cases[] = {
      "jerk_max = 2e4\n[axis.homing]\norder = 1\nvelocity = 10\nvelocity_slow = 10\nposition = 9.99",
      15, 12, "E7011 the homing ends at 10."},
     {"HomingLeavesTheSwitchTooLittle", 10,
-     "jerk_max = 2e4\n[axis.homing]\norder = 1\nvelocity = 10\nmark = \"limit\"\nposition = 12", 15,
-     12, "E7011 the homing ends at 11.7"},
-    {"CycleLoopWithoutGain", 10, "jerk_max = 2e4\n[axis.regulator]\nfeedback = \"cycle\"", 11, 1,
-     "axis X: regulator: kp is 0"},
+     "jerk_max = 2e4\n[axis.homing]\norder = 1\nvelocity = 10\nhome_switch = \"limit\"\nposition = "
+     "12",
+     15, 12, "E7011 the homing ends at 11.7"},
+    {"FormerNameOfTheController", 10, "jerk_max = 2e4\n[axis.regulator]\nkp = 60", 11, 1,
+     "axis X: 'regulator' is called 'position_controller' now"},
+    {"FormerNameOfTheHomeSwitch", 10,
+     "jerk_max = 2e4\n[axis.homing]\norder = 1\nvelocity = 10\nmark = \"limit\"", 14, 8,
+     "axis X: homing: 'mark' is called 'home_switch' now"},
+    {"CycleLoopWithoutGain", 10, "jerk_max = 2e4\n[axis.position_controller]\nfeedback = \"cycle\"",
+     11, 1, "axis X: position_controller: kp is 0"},
     {"CycleLoopTooFastForItsBus", 10,
-     "jerk_max = 2e4\n[axis.regulator]\nfeedback = \"cycle\"\nkp = 60\n"
+     "jerk_max = 2e4\n[axis.position_controller]\nfeedback = \"cycle\"\nkp = 60\n"
      "[drives]\nbus = \"modbus-tcp\"\npoll_ms = 10",
      13, 6, "kp is 60; with poll_ms = 10 the loop is well damped up to about 47;"},
     {"UnknownKeyOfADrive", 10, "jerk_max = 2e4\n[axis.drive]\nadress = 4", 12, 1,

@@ -43,7 +43,7 @@ following_error_max = 0.25
 order = 2
 position = 350
 velocity = -15
-[axis.regulator]
+[axis.position_controller]
 feedback = "cycle"
 kp = 20
 kd = 0.5

@@ -102,7 +102,7 @@ home_switch = -1
 }
 
 TEST_F(DriveSectionTest, WordsOfAManufacturerAreRead) {
-  const MachineFile file = read(R"([axis.regulator]
+  const MachineFile file = read(R"([axis.position_controller]
 feedback = "cycle"
 kp = 20
 [axis.drive]
@@ -285,7 +285,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"AnAxisThatIsOnOrOff", "[axis.drive]\nkind = \"on_off\"\n",
                   ":17:8: ", "a drive that only runs or stops cannot move an axis"},
         FaultCase{"KindAgainstTheController", "[axis.drive]\nkind = \"velocity\"\n",
-                  ":17:8: ", "kind and [axis.regulator] feedback differ"},
+                  ":17:8: ", "kind and [axis.position_controller] feedback differ"},
         FaultCase{"PatternOutsideItsMask", "[axis.drive.words]\nstop=0\nrun=1\nrunning=[1,2]\n",
                   ":19:9: ", "running must be [mask, value]"},
         FaultCase{"WatchdogTooShort", "[axis.drive]\nwatchdog_ms = 250\n", ":17:15: ",
