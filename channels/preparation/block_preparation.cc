@@ -266,7 +266,11 @@ void BlockPreparation::shape_ending(const lang::Move& move, motion::PathBlock& b
   if (!continuous) return;
   block.tolerance_mm =
       move.path.tolerance_mm < 0.0 ? channel_.path_tolerance_mm : move.path.tolerance_mm;
-  block.tolerance_deg = block.tolerance_mm > 0.0 ? channel_.orientation_tolerance_deg : 0.0;
+  if (block.tolerance_mm > 0.0) {
+    block.tolerance_deg = channel_.orientation_tolerance_deg;
+    if (move.path.orientation_deg >= 0.0)
+      block.tolerance_deg = std::min(block.tolerance_deg, move.path.orientation_deg);
+  }
   block.straightening_mm = move.path.straightening_mm;
 }
 

@@ -42,6 +42,7 @@ struct PathControl {
   PathMode mode = PathMode::continuous;
   double tolerance_mm = -1.0;      // G64 P
   double straightening_mm = -1.0;  // G64 Q
+  double orientation_deg = -1.0;   // of rotary axes, within a move on the great circle
 };
 
 enum class MoveKind : std::uint8_t { rapid, line, arc };

@@ -11,9 +11,11 @@
 namespace stanok::lang {
 namespace {
 
-// How far the tool may be off the circle: a tenth of the usual tolerance of orientations, so that
-// most of that is left for what smooths the path.
-constexpr double tolerance_rad = 0.005 * std::numbers::pi / 180.0;
+// How far the tool may be off the circle within a part. Shorter parts meet at flatter corners,
+// which are passed faster.
+constexpr double tolerance_rad = 0.0005 * std::numbers::pi / 180.0;
+// How long the first and the last of several parts may be, which are rounded as the program says.
+constexpr double end_part_max = 1.0 / 16.0;
 // The shortest part of a move. Directions at both of its ends differ by less than 0.01 deg.
 constexpr double shortest_part = 1.0 / 32768.0;
 // Vectors nearer to each other than this, or to being opposite, have no plane.
@@ -64,6 +66,13 @@ double farthest(const ActiveBlock& block, const Circle& circle, double part0,
   return most;
 }
 
+// Of several parts the last one is short.
+double end_of_part(double done, double step) {
+  const double last = 1.0 - end_part_max;
+  const double part = std::min(1.0, done + step);
+  return done > 0.0 && done < last ? std::min(part, last) : part;
+}
+
 void fail_on_the_way(ActiveBlock& block, const OrientationWish& wish) {
   BlockFault& fault = block.fail("E4354", wish.word,
                                  "on the way to " + std::string(wish.end) +
@@ -86,7 +95,7 @@ std::optional<std::vector<TurnedPart>> parts_of_circle(ActiveBlock& block,
   double done = 0.0;
   double step = 1.0;
   while (done < 1.0) {
-    const double part = std::min(1.0, done + step);
+    const double part = end_of_part(done, step);
     OrientationWish there = wish;
     if (circle.has_plane()) there.tool_B = components(circle.at(part));
     auto found = reachable_angles(block, there, from_B);
@@ -95,7 +104,7 @@ std::optional<std::vector<TurnedPart>> parts_of_circle(ActiveBlock& block,
     const double off =
         is_followed ? farthest(block, circle, done, from_B, part, found->angles_B) : 0.0;
     if (off > tolerance_rad) {
-      step *= 0.5;
+      step = done == 0.0 ? std::min(0.5 * step, end_part_max) : 0.5 * (part - done);
       if (step >= shortest_part) continue;
       fail_on_the_way(block, wish);
       return std::nullopt;
