@@ -15,6 +15,8 @@ motion::ForceCommand::Kind kind_of(lang::ForceControl::Kind kind) RT_SAFE {
       return motion::ForceCommand::Kind::vibration_on;
     case lang::ForceControl::Kind::vibration_off:
       return motion::ForceCommand::Kind::vibration_off;
+    case lang::ForceControl::Kind::depth:
+      return motion::ForceCommand::Kind::depth;
   }
   return motion::ForceCommand::Kind::off;
 }
@@ -32,6 +34,7 @@ motion::ForceCommand command_of(const lang::ForceControl& program) RT_SAFE {
   command.oscillation_hz = program.oscillation_hz;
   command.level_um = program.level_um;
   command.reduced_mass_kg = program.reduced_mass_kg;
+  command.depth_mm = program.depth_mm;
   return command;
 }
 

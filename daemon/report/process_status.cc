@@ -66,6 +66,7 @@ constexpr auto reference_names = enum_names<motion::CutReference>({
     {motion::CutReference::none, "none"},
     {motion::CutReference::programmed, "programmed"},
     {motion::CutReference::cut, "cut"},
+    {motion::CutReference::depth, "depth"},
 });
 
 // JSON has no word for "not a number".

@@ -72,6 +72,7 @@ constexpr auto force_names = enum_names<lang::ForceControl::Kind>({
     {lang::ForceControl::Kind::oscillate, "oscillate"},
     {lang::ForceControl::Kind::vibration_on, "vibration_on"},
     {lang::ForceControl::Kind::vibration_off, "vibration_off"},
+    {lang::ForceControl::Kind::depth, "depth"},
 });
 
 constexpr auto length_mode_names = enum_names<lang::LengthMode>({
@@ -223,6 +224,7 @@ struct RecordFields {
     add("frequency", force.oscillation_hz);
     add("level", force.level_um);
     add("mass", force.reduced_mass_kg);
+    add("depth", force.depth_mm);
   }
   void operator()(const lang::OutputCommand& output) const {
     kind("output");

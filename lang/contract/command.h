@@ -243,7 +243,7 @@ struct OverrideControl {
 
 // #adaptive: a command to force control. Values that are not given are 0.
 struct ForceControl {
-  enum class Kind : std::uint8_t { off, force, oscillate, vibration_on, vibration_off };
+  enum class Kind : std::uint8_t { off, force, oscillate, vibration_on, vibration_off, depth };
   Kind kind = Kind::off;
   double force_n = 0.0;   // P_z
   double feed_min = 0.0;  // clamps, mm/min, or mm per revolution
@@ -253,6 +253,7 @@ struct ForceControl {
   double oscillation_hz = 0.0;  // f
   double level_um = 0.0;        // permissible vibration
   double reduced_mass_kg = 0.0;
+  double depth_mm = 0.0;  // of the cut
 };
 
 // M62 to M65, M67, M68.

@@ -23,6 +23,7 @@ bool are_possible(const ForceControl& command) {
   }
   if (command.kind == ForceControl::Kind::oscillate)
     return command.oscillation_n >= 0.0 && command.oscillation_hz > 0.0;
+  if (command.kind == ForceControl::Kind::depth) return command.depth_mm >= 0.0;
   return command.level_um >= 0.0 && command.reduced_mass_kg >= 0.0 && command.oscillation_hz >= 0.0;
 }
 
@@ -150,6 +151,9 @@ void BlockDirectives::order_force_control(const Instruction& instruction) {
       command.level_um = values[0];
       command.reduced_mass_kg = values[1];
       command.oscillation_hz = values[2];
+      break;
+    case ForceControl::Kind::depth:
+      command.depth_mm = values[0] * state_.length_unit();
       break;
   }
   if (!state_.channel.has_force_control) {

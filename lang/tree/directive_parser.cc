@@ -30,6 +30,7 @@ constexpr auto adaptive_forms = std::to_array<AdaptiveForm>({
     {"vibration", ForceKind::vibration_on, 0, 3,
      "`#adaptive (vibration, on)`, `#adaptive (vibration, on, level, m_d, f)` or "
      "`#adaptive (vibration, off)`"},
+    {"depth", ForceKind::depth, 1, 1, "`#adaptive (depth, t)`"},
 });
 
 const AdaptiveForm* adaptive_form_called(std::string_view name) {
@@ -243,8 +244,8 @@ MaybeStatement DirectiveParser::parse_workpiece(WorkpieceForm form, const Span& 
   return statement;
 }
 
-// #adaptive: force control. `force`, `oscillate` and `off` take values, `vibration` says on or off
-// before them.
+// #adaptive: force control. `force`, `oscillate`, `depth` and `off` take values, `vibration` says
+// on or off before them.
 MaybeStatement DirectiveParser::parse_adaptive(const Span& name) {
   cursor_.set_line_ends(LineEnds::significant);
   if (!cursor_.expect("(", "`#adaptive`")) return std::nullopt;
@@ -252,7 +253,7 @@ MaybeStatement DirectiveParser::parse_adaptive(const Span& name) {
   const AdaptiveForm* const form =
       word.kind == TokenKind::name ? adaptive_form_called(folded(word.text)) : nullptr;
   if (form == nullptr) {
-    cursor_.report_unexpected(word, "`force`, `oscillate`, `vibration` or `off`");
+    cursor_.report_unexpected(word, "`force`, `oscillate`, `vibration`, `depth` or `off`");
     return std::nullopt;
   }
   AdaptiveDirective directive{form->kind, {}};

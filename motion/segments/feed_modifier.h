@@ -18,7 +18,15 @@ namespace stanok::motion {
 // What program or operator command; values that are not given are 0: those of the machine file.
 struct ForceCommand {
   // adjust: changes what is given, on or off.
-  enum class Kind : std::uint8_t { off, force, oscillate, vibration_on, vibration_off, adjust };
+  enum class Kind : std::uint8_t {
+    off,
+    force,
+    oscillate,
+    vibration_on,
+    vibration_off,
+    adjust,
+    depth
+  };
   Kind kind = Kind::off;
   // force
   double force_n = 0.0;   // P_z; 0: as commanded before
@@ -30,6 +38,8 @@ struct ForceCommand {
   double oscillation_hz = 0.0;   // f
   double level_um = 0.0;         // permissible vibration
   double reduced_mass_kg = 0.0;  // m_d
+  // depth
+  double depth_mm = 0.0;  // of the cut, to which its force is proportional; 0: not known
 };
 
 // One cycle of the cut, as it was; what the sensors told last.
@@ -103,6 +113,7 @@ enum class CutReference : std::uint8_t {
   none,        // no cut yet
   programmed,  // the setpoint at the programmed feed
   cut,         // what the cut took before
+  depth,       // the same, in proportion to the depth that the program gives
 };
 
 // Values of the control for displays and logs.

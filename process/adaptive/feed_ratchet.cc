@@ -14,7 +14,6 @@ constexpr int refusals_max = 3;
 
 constexpr double stretch_least_s = 0.16;
 constexpr int values_least = 6;
-constexpr double first_stretch_s = 0.5;
 
 // The feed has left what was measured.
 constexpr double feed_left = 0.03;
@@ -179,14 +178,17 @@ double FeedRatchet::asked(const Stretch& from, const Stretch& to) const RT_SAFE 
   return config_.feed_exponent * std::log(to.feed() / from.feed());
 }
 
-// The first measure of a cut is taken soon, by a stretch that need not be long enough.
+// The first measures of a cut are taken soon, by stretches that need not be long enough, each twice
+// as long as the one before.
 void FeedRatchet::measure_before(const Inputs& inputs) RT_SAFE {
-  if (measured_.force_n == 0.0 && now_.time_s() >= first_stretch_s)
-    measured_ = {.feed = now_.feed(), .force_n = now_.force_n()};
+  if (now_.time_s() >= measured_.next_s) {
+    measured_.means = {.feed = now_.feed(), .force_n = now_.force_n()};
+    measured_.next_s = 2.0 * now_.time_s();
+  }
   const double step = config_.feed_exponent * std::log1p(config_.feed_step);
   if (is_long_enough(now_, step, inputs)) {
     before_ = now_;
-    measured_ = {.feed = now_.feed(), .force_n = now_.force_n()};
+    measured_.means = {.feed = now_.feed(), .force_n = now_.force_n()};
     now_ = {};
   }
   if (!before_) return;
@@ -241,7 +243,7 @@ void FeedRatchet::measure_after(const Inputs& inputs) RT_SAFE {
 void FeedRatchet::confirm(const Stretch& at) RT_SAFE {
   confirmed_ = at.feed();
   before_ = at;
-  measured_ = {.feed = at.feed(), .force_n = at.force_n()};
+  measured_.means = {.feed = at.feed(), .force_n = at.force_n()};
   refusals_ = 0;
   since_answer_s_ = 0.0;
   begin(Phase::before);

@@ -52,12 +52,15 @@ class FeedRatchet {
 
   // What the feed may be, mm/rev.
   [[nodiscard]] double ceiling() const RT_SAFE;
-  // Means of the last whole stretch, or of the first half second; 0: none yet in this cut.
-  [[nodiscard]] Measured measured() const RT_SAFE { return measured_; }
+  // Means of the last whole stretch, or of the first half second, second, two seconds, and so on;
+  // 0: none yet in this cut.
+  [[nodiscard]] Measured measured() const RT_SAFE { return measured_.means; }
   [[nodiscard]] double confirmed() const RT_SAFE { return confirmed_; }
   [[nodiscard]] int refusals() const RT_SAFE { return refusals_; }
 
  private:
+  static constexpr double first_stretch_s = 0.5;
+
   // before: the mean at a feed that is confirmed. rising: the controller raises the feed. after:
   // the mean at that feed. again: the mean back at the feed confirmed. lowered: the mean at less
   // feed.
@@ -113,7 +116,10 @@ class FeedRatchet {
   Stretch after_;
   Stretch now_;
   int refusals_ = 0;
-  Measured measured_;
+  struct {
+    Measured means;
+    double next_s = first_stretch_s;  // of the stretch that is measured next
+  } measured_;
   double since_answer_s_ = 0.0;
 };
 

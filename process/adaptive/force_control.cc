@@ -70,6 +70,9 @@ bool ForceControl::command(const ForceCommand& command) RT_SAFE {
     case ForceCommand::Kind::adjust:
       adjust(command);
       return true;
+    case ForceCommand::Kind::depth:
+      observer_.give_depth(command.depth_mm);
+      return true;
   }
   return false;
 }
@@ -78,7 +81,7 @@ bool ForceControl::command(const ForceCommand& command) RT_SAFE {
 void ForceControl::switch_off() RT_SAFE {
   status_ = {};
   controller_.reset();
-  observer_.reset();
+  observer_ = ProcessObserver(config_);
   const double force_n = law_.mean_n();
   law_ = SetpointLaw(config_);
   law_.set_mean(force_n);

@@ -9,8 +9,9 @@
 //                            give the same record at every feed. The cut is taken to be no more
 //                            than `lighter_max` lighter than the reference: what it took before in
 //                            this cut, or, until that is known, what it takes at the programmed
-//                            feed. In the air and in the cut no spindle draws less than a part of
-//                            its idle power.
+//                            feed. Where the program gives the depth, the reference changes in
+//                            proportion to it, and is known better. In the air and in the cut no
+//                            spindle draws less than a part of its idle power.
 // docs/process/dead-sensors.md proves both bounds of the force. Owned by the force control of a
 // channel, in the cycle; allocates nothing.
 #pragma once
@@ -49,7 +50,19 @@ class ProcessObserver {
     bool is_at_minimum = false;  // the feed is S_min
   };
   void look(const Inputs& inputs) RT_SAFE;
-  void reset() RT_SAFE { *this = ProcessObserver(config_); }
+  // The depth that the program has given stays.
+  void reset() RT_SAFE {
+    const double depth_mm = depth_mm_;
+    *this = ProcessObserver(config_);
+    depth_mm_ = depth_mm;
+  }
+  // The depth of the cut, as the program gives it; 0: not known. What was measured belongs to the
+  // one before.
+  void give_depth(double depth_mm) RT_SAFE {
+    if (depth_mm == depth_mm_) return;
+    depth_mm_ = depth_mm;
+    ratchet_.leave_cut();
+  }
   // Another setpoint of the force, and with it another feed.
   void scale(double feed_factor) RT_SAFE { ratchet_.scale(feed_factor); }
 
@@ -66,6 +79,14 @@ class ProcessObserver {
  private:
   [[nodiscard]] bool is_below_idle(const Inputs& inputs) RT_SAFE;
   void learn_reference() RT_SAFE;
+  // The depth of the cut and that of the reference.
+  [[nodiscard]] bool knows_depth() const RT_SAFE {
+    return depth_mm_ > 0.0 && taken_depth_mm_ > 0.0;
+  }
+  // By which the cut of the program takes more force than that of the reference.
+  [[nodiscard]] double depth_part() const RT_SAFE;
+  // By which the cut may be lighter than the reference.
+  [[nodiscard]] double lighter_max() const RT_SAFE;
   [[nodiscard]] double feed_by_reference(const Inputs& inputs) RT_SAFE;
 
   ForceControlConfig config_;
@@ -73,8 +94,10 @@ class ProcessObserver {
   FeedRatchet ratchet_;
   FallenFeed fallen_;
   double below_idle_s_ = 0.0;
-  bool is_learnt_ = false;  // in this cut
-  Measured taken_;          // the heaviest in this cut, or else in the one before; 0 N: none
+  bool is_learnt_ = false;       // in this cut
+  Measured taken_;               // the heaviest in this cut, or else in the one before; 0 N: none
+  double taken_depth_mm_ = 0.0;  // at that; 0: not known
+  double depth_mm_ = 0.0;        // as the program gives it
   motion::PowerDoubt doubt_ = motion::PowerDoubt::none;
   motion::CutReference reference_ = motion::CutReference::none;
   double feed_max_ = std::numeric_limits<double>::infinity();

@@ -124,8 +124,8 @@ class Describer {
     return text;
   }
   std::string operator()(const ForceControl& force) const {
-    static const char* const names[] = {"off", "force", "oscillate", "vibration on",
-                                        "vibration off"};
+    static const char* const names[] = {"off",          "force",         "oscillate",
+                                        "vibration on", "vibration off", "depth"};
     std::string text = std::string("adaptive ") + names[static_cast<int>(force.kind)];
     const auto add = [&](const char* name, double value) {
       if (value != 0.0) text += std::string(" ") + name + number_text(value);
@@ -138,6 +138,7 @@ class Describer {
     add("f=", force.oscillation_hz);
     add("level=", force.level_um);
     add("m_d=", force.reduced_mass_kg);
+    add("t=", force.depth_mm);
     return text;
   }
   std::string operator()(const SplineMove& spline) const {

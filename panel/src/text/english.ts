@@ -678,6 +678,7 @@ export const english = {
   'force.reference.none': 'none yet',
   'force.reference.programmed': 'programmed feed',
   'force.reference.cut': 'measured in this cut',
+  'force.reference.depth': 'measured, at the programmed depth',
   'force.trust': 'power sensor',
   'force.doubt.none': 'trusted',
   'force.doubt.lost': 'no value',

@@ -675,6 +675,7 @@ export const russian: Record<keyof typeof english, string> = {
   'force.reference.none': 'пока нет',
   'force.reference.programmed': 'запрограммированная подача',
   'force.reference.cut': 'измерен в этом проходе',
+  'force.reference.depth': 'измерен, для заданной глубины',
   'force.trust': 'датчик мощности',
   'force.doubt.none': 'достоверен',
   'force.doubt.lost': 'нет значения',

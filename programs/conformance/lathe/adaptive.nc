@@ -23,6 +23,12 @@ num amplitude = 60;
 ; expect: adaptive vibration on f=4 level=5 m_d=2.5
 #adaptive (vibration, off)
 ; expect: adaptive vibration off
+#adaptive (depth, 2.5)
+; expect: adaptive depth t=2.5
+G20
+#adaptive (depth, 0.1)
+; expect: adaptive depth t=2.54
+G21
 #adaptive (off)
 ; expect: adaptive off
 M30

@@ -36,6 +36,12 @@ class PlantBench {
     cut_.feed_programmed = feed_programmed * rev_per_s_;
   }
 
+  // The depth that the program gives, mm.
+  void give_depth(double depth_mm) {
+    static_cast<void>(
+        control.command({.kind = motion::ForceCommand::Kind::depth, .depth_mm = depth_mm}));
+  }
+
   void run(double seconds, const std::function<void()>& watch = {}) {
     for (int k = 0; k < static_cast<int>(std::lround(seconds / cut_.cycle_s)); ++k) {
       cycle();
