@@ -45,4 +45,5 @@ tools/draw-folders.py
 if [[ $page == yes ]]; then
   (cd panel && npm run --silent generate && npm run --silent build)
 fi
-git status --short
+# A copy without git has nothing to tell.
+git status --short 2>/dev/null || true
