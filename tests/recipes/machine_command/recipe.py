@@ -1,0 +1,48 @@
+"""program.flow, which the machine executes."""
+from recipe import Recipe, after, before, replaced
+
+RECIPE = Recipe("A command that the machine executes", [
+    before("protocol/contract/methods_of_program.cc", '    {.name = "program.skip",', """
+    {.name = "program.flow",
+     .role = machine_operator,
+     .effect = Effect::changes,
+     .action = "continuous",
+     .parameters = of_channel,
+     .help = "end single block"},
+"""),
+    after("channels/contract/operator_command.h", "  tool_touch,", "  continuous,"),
+    before("channels/contract/operator_command.h", "// The session that has the channel to itself.", """
+// The program no longer stops after each block.
+struct Continuous {};
+"""),
+    replaced("channels/contract/operator_command.h", """
+    commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch>;
+""", """
+    commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch,
+    commands::Continuous>;
+"""),
+    after("channels/contract/operator_action.cc", """
+    {Action::tool_touch, "tool_touch", Effect::none, Rule::touch, Reach::channel},
+""", """
+    {Action::continuous, "continuous", Effect::none, Rule::always, Reach::channel},
+"""),
+    before("channels/coordinator/operator_desk.cc",
+           "  Result operator()(const commands::BlockSkip& command) const RT_SAFE {", """
+  Result operator()(const commands::Continuous& /*command*/) const RT_SAFE {
+    return each([](Channel& c) RT_SAFE { c.set_single_block(Switch::off); });
+  }
+"""),
+    after("daemon/desk/command_desk.cc", """
+    notes.single_block = step->to == channels::Switch::on;
+""", """
+  if (std::holds_alternative<commands::Continuous>(command)) notes.single_block = false;
+"""),
+    after("tests/channels/contract/operator_command_test.cc", """
+      {ToolTouch{ShortText("length"), -4.0, 7, 2}, 30, "tool_touch", 7, -4.0, 2.0, "length"},
+""", """
+      {Continuous{}, 31, "continuous"},
+"""),
+    replaced("tests/channels/contract/operator_command_test.cc",
+             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(31)}));",
+             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(32)}));"),
+])
