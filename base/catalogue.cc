@@ -14,7 +14,8 @@ constexpr auto end = Reaction::program_end;
 // row: code, title, reaction, remedy, how to go on.
 constexpr auto alarm_rows = std::to_array<CatalogueRow>({
     {"A1001", "stopped by an operator (STOP ALL)", Reaction::all_axes_off,
-     "find and remove the cause", "reset the channels, switch the machine on and start again"},
+     "find out why the machine was stopped, and remove the cause",
+     "reset the channels, switch the machine on and start again"},
     {"A1002", "the axes did not come to rest in time", Reaction::axis_stop,
      "check stop_time_max in the machine file, and find out what kept the axes moving; if the path "
      "should have ended, report it with the log of the flight recorder, which keeps the last "
@@ -108,9 +109,11 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "change to a scheme of type lathe or cartesian that has the rotary axis first",
      "correct the program and start it again"},
     {"E5105", "a feed law does not fit its path", end,
-     "use other increments or a longer path; the text says what does not fit", "start again"},
+     "use other increments or a longer path; the text says what does not fit",
+     "correct the program and start it again"},
     {"E5106", "the feed or speed of a feed law falls to zero or below", end,
-     "use smaller increments or a longer dl, or end the law earlier", "start again"},
+     "use smaller increments or a longer dl, or end the law earlier",
+     "correct the program and start it again"},
     {"E5201", "the channel has no such kinematic scheme", end,
      "name a scheme of the machine file; kinematics list shows them",
      "correct the program and start it again"},
@@ -118,7 +121,8 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "wait for the end of its program with channel_wait before you use #kinematics",
      "correct the program and start it again"},
     {"E5203", "another channel uses the axis", end,
-     "wait for the end of its program with channel_wait, or change its scheme",
+     "wait with channel_wait until the program of that channel ends, or give that channel a scheme "
+     "without the axis",
      "start the program again when the axis is free"},
     {"E5204", "a parked position is beyond the limits of its axis", end,
      "correct the parked position in the scheme file",
@@ -158,7 +162,8 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E6004", "the channel has an alarm", end, "find and remove the cause, then reset the channel",
      "reset the channel and start again"},
     {"E6005", "no program is loaded", end, "load a program first", "load the program and start it"},
-    {"E6006", "the machine is off", end, "switch it on with stanok machine on", "start again"},
+    {"E6006", "the machine is off", end, "switch it on with stanok machine on",
+     "give the command again"},
     {"E6007", "nothing was running", end, "no action is needed", "continue"},
     {"E6008", "the drives are not ready", end,
      "check the power, the bus and the faults of the drives with drive status",
@@ -359,15 +364,15 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E9010", "the program was ended before its end", Reaction::warning,
      "somebody stopped or reset the channel, or the daemon was shut down",
      "start the program again"},
-    {"E9011", "a log is being written already", Reaction::warning,
-     "end it with log stop, or use it; log status shows its name", "give the command again"},
+    {"E9011", "a log is already being written", Reaction::warning,
+     "close it with log stop, or use it; log status shows its name", "give the command again"},
     {"E9012", "no log is being written", Reaction::warning, "no action is needed", "continue"},
     {"E9013", "a log cannot be written", Reaction::warning,
      "check the folder, the permissions and the free disk space; the text says which of them is "
      "the cause",
      "give the command again"},
     {"E9014", "the tables cannot be read", Reaction::warning,
-     "correct the line shown; tool save writes an example of the format", "give the command again"},
+     "correct the line shown; tool save prints an example of the format", "give the command again"},
     {"E9015", "a value cannot be loaded while the daemon is running", Reaction::warning,
      "lengths, radii, wear, overhang, orientation and angles can be loaded; name and shape of a "
      "tool are in the tables file of the machine, and programs store reference points (G28.1)",

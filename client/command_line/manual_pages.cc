@@ -21,23 +21,24 @@ struct Meaning {
 
 constexpr auto exit_codes = std::to_array<Meaning>({
     {"0", "ok"},
-    {"1", "refused or failed; also an error of a machine, process or log file"},
+    {"1", "refused or failed; also an error in a machine, process or log file"},
     {"2", "wrong usage"},
     {"3", "no connection to the daemon, or it was lost"},
-    {"4", "time is over, or --until was reached"},
+    {"4", "time limit (--timeout or --until) reached"},
     {"5", "not permitted for this role"},
-    {"6", "an error of a program: codes E and U"},
-    {"7", "a fault of the machine: codes A"},
-    {"8", "log verify: the same up to a cycle from which on records were lost (W720)"},
-    {"9", "log verify: the same, but the recording was cut: its log ends without a trailer"},
+    {"6", "error in a program: codes E and U"},
+    {"7", "fault of the machine: codes A"},
+    {"8", "log verify: identical up to a cycle after which records were lost (W720)"},
+    {"9", "log verify: identical, but the recording was cut: its log ends without a trailer"},
     {"130", "interrupted"},
 });
 
 constexpr auto environment = std::to_array<Meaning>({
-    {"STANOK_SOCKET", "socket of the daemon, when --socket names none"},
-    {"XDG_RUNTIME_DIR", "else the one socket in its folder stanok, or"},
-    {"XDG_STATE_HOME", "in a machine's folder of its folder stanok; default ~/.local/state"},
-    {"NO_COLOR", "when set: no colours"},
+    {"STANOK_SOCKET", "socket of the daemon, if --socket is not given"},
+    {"XDG_RUNTIME_DIR", "otherwise, its folder stanok is searched for sockets of daemons"},
+    {"XDG_STATE_HOME",
+     "the folder of each machine in its folder stanok is searched too; default ~/.local/state"},
+    {"NO_COLOR", "if set: no colors"},
 });
 
 constexpr std::string_view introduction =

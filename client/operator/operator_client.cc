@@ -148,7 +148,8 @@ std::optional<json> OperatorClient::receive(Deadline deadline) {
     if (const auto frame = frames_.next()) {
       json message = protocol::json_from_text(frame->text);
       if (message.is_object()) return message;
-      throw ConnectionError("the daemon sent something that is not JSON-RPC");
+      throw ConnectionError(
+          "the answer is not JSON-RPC; check that --socket names the socket of a stanok daemon");
     }
     pollfd wanted{.fd = descriptor_, .events = POLLIN, .revents = 0};
     const int ready = is_interrupted() ? -1 : ::poll(&wanted, 1, milliseconds_until(deadline));

@@ -124,9 +124,10 @@ class MachineReader {
         .bytes = checked_size(section.program_size_max_mb) << 20,
         .steps = static_cast<std::uint64_t>(section.program_steps_max_m) * 1'000'000};
     if (!section.program_encoding.empty() && !is_encoding_of_programs(section.program_encoding)) {
-      scope.fault(place_of(*top_.machine, "program_encoding"),
-                  "`" + section.program_encoding +
-                      "` is not an encoding that contains ASCII; `iconv --list` shows the names");
+      scope.fault(
+          place_of(*top_.machine, "program_encoding"),
+          "`" + section.program_encoding +
+              "` is not a known encoding that contains ASCII; `iconv --list` shows the names");
     }
     file_.machine.program_encoding = section.program_encoding;
     if (!section.tables.empty()) read_tables_named(section.tables, scope);

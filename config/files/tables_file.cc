@@ -42,7 +42,7 @@ const Keys<TablesFile>& tables_keys() {
 const Keys<ToolEdge>& tool_keys() {
   static const Keys<ToolEdge> keys = {
       {"number", at<&ToolEdge::number>, required, "", "number of the tool (T, H)", from(1, 32000)},
-      {"edge", at<&ToolEdge::edge>, optional, "", "its edge", from(1, 99)},
+      {"edge", at<&ToolEdge::edge>, optional, "", "number of its cutting edge", from(1, 99)},
       {"name", at<&ToolEdge::name>, optional, "", "name to display"},
       {"kind", at<&ToolEdge::kind>, optional, "", "shape of the cutting part",
        one_of({"flat", "ball", "bull", "drill", "taper", "insert", "probe"})},

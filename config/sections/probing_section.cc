@@ -12,7 +12,7 @@ const Keys<RealTool>& real_tool_keys() {
   static const Keys<RealTool> keys = {
       {"number", at<&RealTool::number>, required, "", "number of a tool of the tables file",
        from(1, 32000)},
-      {"edge", at<&RealTool::edge>, optional, "", "its edge", from(1, 99)},
+      {"edge", at<&RealTool::edge>, optional, "", "number of its cutting edge", from(1, 99)},
       {"length", at<&RealTool::length>, optional, "mm", "from the spindle nose to the tip, along Z",
        any, as_table},
       {"length_x", at<&RealTool::length_x>, optional, "mm", "from the nose to the tip, along X",

@@ -323,7 +323,7 @@ CommandResult Dispatch::start_log() const {
   const auto started = machine_.start_log();
   if (!started)
     return fail(FailureKind::refused, "E9011",
-                "a log is being written: " + machine_.recording_status().log_file);
+                "a log is already being written: " + machine_.recording_status().log_file);
   if (!*started) return fail(FailureKind::refused, "E9013", started->error().text);
   return json{{"path", (*started)->string()}};
 }

@@ -80,7 +80,8 @@ std::optional<std::string> set_trigger(const json& parameters, ScopeOrder& order
   trigger.event = parameters.value("event", std::string());
   trigger.channel = parameters.value("channel", 0);
   trigger.line = parameters.value("line", 0U);
-  if (trigger.kind == Kind::block && trigger.line == 0) return "a block trigger needs a line";
+  if (trigger.kind == Kind::block && trigger.line == 0)
+    return "a block trigger needs a line number";
   if (trigger.kind != Kind::level) return std::nullopt;
   const auto name = parameters.value("signal", order.signals.front().name);
   const auto found = std::ranges::find(order.signals, name, &ScopeSignal::name);

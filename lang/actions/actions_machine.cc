@@ -252,7 +252,7 @@ void end_program(ActiveBlock& block, CodeNumber code) {
 
 void call_program(ActiveBlock& block, CodeNumber code) {
   if (!block.has('P')) {
-    block.fail("E4007", {'M', code, {}}, "`" + code_text('M', code) + "` needs a program number",
+    block.fail("E4007", {'M', code, {}}, "`" + code_text('M', code) + "` needs P, a program number",
                "no P");
     return;
   }
@@ -263,7 +263,7 @@ void call_program(ActiveBlock& block, CodeNumber code) {
 // M97 P100 L2: N100 of this program up to M99, as on Haas controls.
 void call_block(ActiveBlock& block, CodeNumber code) {
   if (!block.has('P')) {
-    block.fail("E4007", {'M', code, {}}, "`M97` needs a block number", "no P");
+    block.fail("E4007", {'M', code, {}}, "`M97` needs P, a block number", "no P");
     return;
   }
   const auto number = block.integer('P', 0, 99999999);

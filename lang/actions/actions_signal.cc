@@ -82,7 +82,9 @@ void wait_for_input(ActiveBlock& block, CodeNumber code) {
   const auto mode = block.has('L') ? block.integer('L', 0, analog ? 0 : 4) : std::optional(0);
   if (!number || !mode) return;
   if (*mode != 0 && (!block.has('Q') || block.value('Q') <= 0.0)) {
-    block.fail("E4007", {'M', code, {}}, "`M66` needs a time when it waits", "no Q above 0")
+    block
+        .fail("E4007", {'M', code, {}}, "`M66` with L1 to L4 needs Q, the longest time to wait",
+              "no Q above 0")
         .help.push_back("give seconds, e.g. `Q5`");
     return;
   }

@@ -45,7 +45,7 @@ std::optional<BlockFault> check_macro_block(const BlockWords& words, const Macro
   if (call && !words.has('P')) {
     return BlockFault{"E4007",
                       WordName{macro.letter, macro.number, {}},
-                      "`" + name + "` needs a program number",
+                      "`" + name + "` needs P, a program number",
                       "no P",
                       {},
                       {}};

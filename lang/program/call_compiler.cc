@@ -153,7 +153,7 @@ std::optional<int> CallCompiler::constant_channel(const Expression& argument, Ow
   const auto constant = symbols_.constant_of(argument);
   if (!constant || constant->type != Type::number) return std::nullopt;
   if (!is_integer(constant->number)) {
-    reporter_.error("E3010", argument.span, "a channel id is a whole number", "not a channel");
+    reporter_.error("E3010", argument.span, "a channel number must be whole", "not a channel");
     return std::nullopt;
   }
   const int id = static_cast<int>(std::lround(constant->number));

@@ -257,7 +257,7 @@ void Loader::follow_blanks(FileIndex index, const StatementList& list) {
 void Loader::follow_blank(FileIndex index, const WorkpieceDirective& directive) {
   Reporter& reporter = *loaded_[index].reporter;
   if (!names_stl_file(directive.file)) {
-    reporter.error("E7020", directive.file_span, "the blank of a workpiece is an STL file",
+    reporter.error("E7020", directive.file_span, "the file of a blank must be an STL file",
                    "does not end in .stl");
     return;
   }

@@ -104,7 +104,7 @@ Symbol* SymbolTable::declare(std::string_view name, const Span& span, Symbol sym
   const bool function = context_.names[context_.file].functions.contains(wanted);
   if (outer != nullptr || function) {
     Diagnostic& diagnostic =
-        reporter_.error("E3002", span, "`" + std::string(name) + "` is declared already",
+        reporter_.error("E3002", span, "`" + std::string(name) + "` is already declared",
                         "same name as an earlier one");
     if (outer != nullptr) {
       diagnostic.notes.push_back({"declared here first", file_.source.place(outer->span)});

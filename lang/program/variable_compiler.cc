@@ -92,7 +92,7 @@ void VariableCompiler::compile_array(const DeclaredItem& item, Type type) {
       continue;
     }
     reporter_.error("E3017", dimension.span,
-                    "the size of an array is a whole number from 1 to 1000000", "not a size");
+                    "the size of an array must be a whole number from 1 to 1000000", "not a size");
     return;
   }
   const auto dimensions =
@@ -201,11 +201,13 @@ void VariableCompiler::compile_shared(const DeclaredItem& item, Type type) {
     reporter_.error("E3020", item.span, std::move(message), std::move(label));
   };
   if (!symbols_.at_file_level()) {
-    return refuse("a shared variable is declared at file level", "inside braces");
+    return refuse("a shared variable must be declared at file level", "inside braces");
   }
-  if (type == Type::axis) return refuse("a shared variable is a num, bool or string", "an axis");
+  if (type == Type::axis)
+    return refuse("a shared variable must be a num, bool or string", "an axis");
   if (item.initial || item.has_list) {
-    return refuse("a shared variable has no initial value", "it is 0 when the machine starts");
+    return refuse("a shared variable must not have an initial value",
+                  "it is 0 when the machine starts");
   }
   SharedVariable variable;
   variable.name = folded(item.name);
@@ -218,7 +220,7 @@ void VariableCompiler::compile_shared(const DeclaredItem& item, Type type) {
     const auto size = symbols_.constant_of(item.dimensions[i]);
     const bool good = size && size->type == Type::number && is_integer(size->number) &&
                       size->number >= 1.0 && size->number <= shared_elements_max;
-    if (!good) return refuse("the size of a shared array is a constant from 1 to 65536", "");
+    if (!good) return refuse("the size of a shared array must be a constant from 1 to 65536", "");
     sizes[i] = static_cast<std::uint32_t>(size->number);
   }
   variable.rows = sizes[0];

@@ -43,7 +43,8 @@ bool ArrayInstructions::make(const Instruction& instruction, ValueFault& fault) 
   const bool whole = is_integer(sizes[0]) && is_integer(sizes[1]);
   if (!whole || sizes[0] < 0.5 || sizes[1] < 0.5 ||
       count > static_cast<double>(limits::array_elements)) {
-    fault = {"E3017", "the size of an array is a whole number from 1 to 1000000", "not a size"};
+    fault = {"E3017", "the size of an array must be a whole number from 1 to 1000000",
+             "not a size"};
     return false;
   }
   const std::size_t elements = whole_number(count);

@@ -60,7 +60,7 @@ void ChannelRequests::ask(Request request, AnswerUse use) {
 // The channel a call names; it must exist.
 std::optional<int> ChannelRequests::channel_of(double number, OwnChannel own) {
   if (!is_integer(number)) {
-    vm_.fail("E3010", "a channel id is a whole number", "not a channel");
+    vm_.fail("E3010", "a channel number must be whole", "not a channel");
     return std::nullopt;
   }
   const int id = static_cast<int>(std::lround(number));

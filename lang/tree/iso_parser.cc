@@ -109,9 +109,9 @@ bool IsoParser::parse_iso_part(IsoBlock& block) {
   if (c == '@' || c == '^') return parse_sign_word(block, {c});
   if ((is_digit(c) || c == '.') && !block.words.empty()) {
     reporter_
-        .error("E1003", scanner_.here(), "there is a blank inside a number",
+        .error("E1003", scanner_.here(), "there is a space inside a number",
                "the number continues here")
-        .help.push_back("write the number without blanks, or the missing address");
+        .help.push_back("write the number without spaces, or add the missing address");
     return false;
   }
   if (static_cast<unsigned char>(c) >= 0x80 || static_cast<unsigned char>(c) < 0x20) {

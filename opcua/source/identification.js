@@ -36,7 +36,7 @@ export function identities_from(file, names) {
   if (!file) return {};
   const all = json_object(
     read_json(file),
-    `${file}: a JSON object is needed, with a member for each machine`,
+    `${file} must be a JSON object with a member for each machine`,
   );
   for (const [name, members] of Object.entries(all)) {
     if (!names.includes(name)) throw new Error(`${file}: no machine has the name ${name}`);

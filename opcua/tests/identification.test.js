@@ -28,8 +28,8 @@ test('members of machines are taken as they are', () => {
 
 for (const [text, told] of [
   ['{"mill": ', /identity\.json: this is not JSON/],
-  ['null', /identity\.json: a JSON object is needed/],
-  ['[]', /identity\.json: a JSON object is needed/],
+  ['null', /identity\.json must be a JSON object/],
+  ['[]', /identity\.json must be a JSON object/],
   ['{"mill": null}', /mill must be an object/],
   ['{"mill": ["a"]}', /mill must be an object/],
   ['{"lathe": {}}', /no machine has the name lathe/],

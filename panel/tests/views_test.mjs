@@ -167,7 +167,7 @@ describe('states', () => {
       return refused.isVisible();
     });
     assert.ok(!sent.includes('machine.on'));
-    await page.getByText('Your role does not permit jogging.').waitFor();
+    await page.getByText('Your role does not permit jogging. Sign in as an operator.').waitFor();
     for (const view of views) {
       await show(page, view);
       assert.deepEqual(await findings(page), [], view);

@@ -53,7 +53,7 @@ constexpr auto axes_rows = std::to_array<Method>({
       "axes":[{"name":"string","takes_part":"boolean","enabled":"boolean","brake":"boolean"}]})"},
 
     {.name = "drive.list",
-     .help = "list the drives of the machine file with bus address, kind and requests",
+     .help = "list the drives of the machine file with bus address, kind and requests per exchange",
      .result = R"({"bus":"string","poll_ms":"number","timeout_ms":"number",
       "drives":[{"axis":"string","unit":"integer","kind":"string","requests":"integer",
                  "watchdog_ms":"integer?","absolute_encoder":"boolean","position_scale":"number",

@@ -46,8 +46,8 @@ constexpr auto machine_rows = std::to_array<Method>({
      .help = "STOP ALL (not the E-stop): stop immediately along the path, then switch the drives "
              "off; always accepted"},
     {.name = "machine.journal",
-     .help = "list what operators did, and starts and ends of the daemon: the newest 2000 entries, "
-             "including those from before the last start",
+     .help = "list the commands of operators and the starts and ends of the daemon: the newest "
+             "2000 entries, including those from before the last start",
      .result = R"({"records":[{"kind":"string","at":"number","session?":"integer","by?":"string",
       "method?":"string","parameters?":"any","outcome?":"string","text?":"string","version?":"string"}],
       "error":"string?"})"},
@@ -73,8 +73,8 @@ constexpr auto machine_rows = std::to_array<Method>({
      .result = R"("$channel")"},
     {.name = "channel.position",
      .parameters = of_position,
-     .help =
-         "show the words that lead to the present position of a channel, and how they are derived",
+     .help = "show the words that would lead to the present position of a channel, and how they "
+             "are derived",
      .result = R"({"channel":"integer","situation":"integer","scheme":"integer",
       "units":"string","diameter":["string"],"position":"$numbers","point_W":"$numbers",
       "axes":[{"word":"string","axis":"string","unit":"string","machine":"number",

@@ -320,7 +320,7 @@ constexpr auto process_rows = std::to_array<Method>({
      .help =
          "design a plunge grinding cycle from a process file, or verify one from a control file; "
          "samples are time s, X mm, remaining allowance mm, infeed mm/s, removal mm2/rad, and the "
-         "ratio of the removal to its boundary; a check on this connection ends it",
+         "ratio of the removal to its boundary; a check on this connection cancels it",
      .result = R"({"program":"string","ok":"boolean",
       "findings":[{"code":"string","text":"string"}],"time_s?":"number",
       "least_time_s?":"number","constant_time_s?":"number?","three_step_time_s?":"number?",

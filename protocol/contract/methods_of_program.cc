@@ -16,7 +16,7 @@ constexpr Parameter search_pass{.name = "pass",
                                 .carries = Carries::value,
                                 .minimum = 1,
                                 .maximum = 1e6,
-                                .help = "which pass through a loop; default 1"};
+                                .help = "pass of the loop that contains the block; default 1"};
 
 constexpr auto calculations = std::to_array<std::string_view>({"with", "without"});
 
@@ -158,7 +158,7 @@ constexpr auto program_rows = std::to_array<Method>({
     {.name = "program.history",
      .parameters = of_channel,
      .help = "list the newest 500 program runs of each channel, with their times and how they "
-             "ended; cycles are those of this start of the daemon",
+             "ended; cycles count from the last start of the daemon",
      .result = R"({"runs":[{"channel":"integer","number":"integer","program":"string",
       "begun_cycle":"integer?","ended_cycle":"integer?","begun_at":"number?","ended_at":"number?","end":"string?",
       "blocks":"integer","time_s":"number","path_mm":"number",

@@ -104,7 +104,7 @@ constexpr auto text_rows = std::to_array<Method>({
      .course = Course::reads_program,
      .parameters = of_check,
      .help = "find errors and warnings of a program without running it, and the positions of the "
-             "rotary axes in its tilted planes; another check on this connection ends this one",
+             "rotary axes in its tilted planes; another check on this connection cancels this one",
      .result = R"({"program":"string","ok":"boolean","blocks":"integer","version":"string?",
       "diagnostics":[{"code":"string","severity":"string","file":"string","line":"integer",
        "column":"integer","end_line":"integer","end_column":"integer","message":"string",
@@ -116,16 +116,16 @@ constexpr auto text_rows = std::to_array<Method>({
      .parameters = of_estimate,
      .help = "draw the virtual workpiece as the program leaves it after a run on a virtual clock: "
              "`picture` is a PNG in base64, seen from the front, right and above, or null if the "
-             "program announces no blank; a check on this connection ends it",
+             "program declares no blank; a check on this connection cancels it",
      .result = R"({"program":"string","ok":"boolean","complete":"boolean","time_s":"number",
       "picture":"string?","removed_mm3":"number?","blank_mm3":"number?","findings":"integer?",
       "alarm":"$alarm?"})"},
     {.name = "program.estimate",
      .course = Course::reads_program,
      .parameters = of_estimate,
-     .help = "find the time and path length of a program from a run on a virtual clock with the "
-             "present tables, schemes and positions, overrides at 100 %; a check on this "
-             "connection ends it",
+     .help = "find the time and path length of a program from a run on a virtual clock, with the "
+             "present tables, schemes and positions and with overrides at 100 %; a check on this "
+             "connection cancels it",
      .result = R"({"program":"string","ok":"boolean","complete":"boolean","time_s":"number",
       "alarm":"$alarm?","runs":[{"channel":"integer","program":"string","ok":"boolean",
        "blocks":"integer","time_s":"number","path_mm":"number"}]})"},

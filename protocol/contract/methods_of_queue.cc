@@ -67,7 +67,7 @@ constexpr auto queue_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_channel,
-     .help = "start no further program; the one in progress continues",
+     .help = "start no further program of the queue; the one in progress continues",
      .result = queues},
 });
 

@@ -70,7 +70,7 @@ constexpr Parameter confirmed{
     .type = ParameterType::integer,
     .minimum = 0,
     .maximum = 1,
-    .help = "1: set the value even if entry_limits make the value or the change unlikely"};
+    .help = "1: set the value even if the value or the change exceeds entry_limits"};
 
 constexpr double table_bytes_max = 1e6;
 
@@ -171,7 +171,7 @@ constexpr auto tables_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_tables,
-     .help = "set the tools and work offsets that a text lists; not while a program runs",
+     .help = "set the tools and work offsets listed in a text; not while a program is running",
      .result = R"({"values":"integer"})"},
     {.name = "tool.save",
      .help = "print tools and work offsets as a text for `tool load`",

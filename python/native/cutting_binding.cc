@@ -74,7 +74,7 @@ py::tuple identify_milling(const std::filesystem::path& file, const std::filesys
   const process::CuttingProcess cut = config::read_chatter_file(cut_file);
   if (cut.kind != process::CutKind::milling)
     throw std::invalid_argument(cut_file.string() +
-                                " is not of a milling cut; write kind = \"milling\"");
+                                " does not describe a milling cut; write kind = \"milling\"");
   const auto found = identified(jobs::LoggedMilling{
       .log = file,
       .reading = {.channel = channel, .spindle = spindle - 1, .cut = cut, .tool = tool},

@@ -135,7 +135,7 @@ class StanokError(Exception):
 
 
 class MachineFileError(StanokError):
-    """A machine or process file is wrong; has all of its faults."""
+    """A machine or process file is wrong; ``faults`` lists them all."""
 
 
 class ProgramError(StanokError):

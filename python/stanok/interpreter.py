@@ -1,4 +1,4 @@
-"""Programs without motion of a machine: records after block preparation, errors, feed laws."""
+"""Interpreting programs without moving a machine: records after block preparation, errors, feed laws."""
 from __future__ import annotations
 
 import json
@@ -77,7 +77,7 @@ class TiltedPlane:
 
 @dataclass(frozen=True)
 class Check:
-    """What is known about a program before a run. ``ok``: no fault is an error."""
+    """What is known about a program before a run. ``ok`` is true if no fault is an error."""
 
     faults: tuple[Fault, ...]
     feed_laws: tuple[FeedLawBlock, ...]
@@ -86,7 +86,7 @@ class Check:
 
     @property
     def ok(self) -> bool:
-        """Whether no fault is an error."""
+        """Whether the program has no errors. Warnings do not count."""
         return all(fault.severity != "error" for fault in self.faults)
 
 
@@ -100,7 +100,7 @@ def interpret(
     million_steps: int | None = None,
     check: bool = True,
 ) -> Interpretation:
-    """The records of a program after block preparation: moves with their ends, spindles, offsets, laws.
+    """Interpret a program: its moves with their ends, spindle commands, offsets and feed laws, after block preparation.
 
     Args:
         machine: a machine file, or a machine that was read.

@@ -92,7 +92,7 @@ class Kinematics:
 
     @property
     def winding(self) -> tuple[bool, ...]:
-        """Axes that the inverse determines only up to whole turns of 360 deg."""
+        """Which axes the inverse determines only up to whole turns of 360 deg."""
         return self._set(self._native.winding())
 
     def forward(self, axes: npt.ArrayLike) -> Floats:

@@ -85,7 +85,7 @@ class Log:
         number = self._chosen(channel)
         arrays = _native.process_rows(self._path, number)
         if arrays["cycle"].size == 0:
-            raise ValueError(f"the log tells nothing of the process of channel {number}")
+            raise ValueError(f"the log has no process data of channel {number}")
         return ProcessRows(arrays, number)
 
     def events(self) -> Iterator[Event]:

@@ -42,7 +42,7 @@ class Scheme:
 
 @dataclass(frozen=True)
 class Channel:
-    """A channel: its axes by their names in the machine and their words in programs, and their units."""
+    """A channel with its axes: their names in the machine, their words in programs, and their units."""
 
     id: int
     name: str

@@ -56,8 +56,8 @@ class MachineMethods:
         return self._call("machine.estop", _given())
 
     def journal(self) -> dict[str, Any]:
-        """List what operators did, and starts and ends of the daemon: the newest 2000 entries, including those
-        from before the last start.
+        """List the commands of operators and the starts and ends of the daemon: the newest 2000 entries, including
+        those from before the last start.
 
         ``machine.journal``, for the role observer.
         """
@@ -95,7 +95,7 @@ class ChannelMethods:
         return self._call("channel.status", _given(channel=channel))
 
     def position(self, *, why: int | None = None, channel: int | None = None) -> dict[str, Any]:
-        """Show the words that lead to the present position of a channel, and how they are derived.
+        """Show the words that would lead to the present position of a channel, and how they are derived.
 
         ``channel.position``, for the role observer.
 
@@ -190,7 +190,7 @@ class ProgramMethods:
         file: str | None = None,
     ) -> dict[str, Any]:
         """Find errors and warnings of a program without running it, and the positions of the rotary axes in its
-        tilted planes; another check on this connection ends this one.
+        tilted planes; another check on this connection cancels this one.
 
         ``program.check``, for the role observer.
 
@@ -204,8 +204,8 @@ class ProgramMethods:
 
     def picture(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
         """Draw the virtual workpiece as the program leaves it after a run on a virtual clock: `picture` is a PNG
-        in base64, seen from the front, right and above, or null if the program announces no blank; a check on
-        this connection ends it.
+        in base64, seen from the front, right and above, or null if the program declares no blank; a check on
+        this connection cancels it.
 
         ``program.picture``, for the role observer.
 
@@ -216,8 +216,8 @@ class ProgramMethods:
         return self._call("program.picture", _given(program=program, channel=channel))
 
     def estimate(self, program: str, *, channel: int | None = None) -> dict[str, Any]:
-        """Find the time and path length of a program from a run on a virtual clock with the present tables,
-        schemes and positions, overrides at 100 %; a check on this connection ends it.
+        """Find the time and path length of a program from a run on a virtual clock, with the present tables,
+        schemes and positions and with overrides at 100 %; a check on this connection cancels it.
 
         ``program.estimate``, for the role observer.
 
@@ -422,8 +422,8 @@ class ProgramMethods:
         return self._call("program.list", _given())
 
     def history(self, *, channel: int | None = None) -> dict[str, Any]:
-        """List the newest 500 program runs of each channel, with their times and how they ended; cycles are those
-        of this start of the daemon.
+        """List the newest 500 program runs of each channel, with their times and how they ended; cycles count from
+        the last start of the daemon.
 
         ``program.history``, for the role observer.
 
@@ -447,7 +447,7 @@ class ProgramMethods:
 
         Args:
             target: line (120) or block number (N40); in another file: sub.nc:120.
-            pass_: which pass through a loop; default 1; 1 to 1000000.
+            pass_: pass of the loop that contains the block; default 1; 1 to 1000000.
             calculation: with (default): begin in the state that the preceding blocks would leave; without:
                 begin in the default state.
             channel: channel; default: the first one; 1 to 999.
@@ -576,7 +576,7 @@ class QueueMethods:
         return self._call("queue.start", _given(channel=channel, seen_cycle=seen_cycle))
 
     def stop(self, *, channel: int | None = None) -> dict[str, Any]:
-        """Start no further program; the one in progress continues.
+        """Start no further program of the queue; the one in progress continues.
 
         ``queue.stop``, for the role operator.
 
@@ -633,7 +633,7 @@ class DriveMethods:
         self._call = call
 
     def list(self) -> dict[str, Any]:
-        """List the drives of the machine file with bus address, kind and requests.
+        """List the drives of the machine file with bus address, kind and requests per exchange.
 
         ``drive.list``, for the role observer.
         """
@@ -770,7 +770,7 @@ class ToolMethods:
             key: name of the value.
             value: new value; -100000 to 100000 mm, deg.
             edge: edge of the tool; default 1; 1 to 99.
-            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
+            confirmed: 1: set the value even if the value or the change exceeds entry_limits; 0 to 1.
         """
         return self._call("tool.set", _given(number=number, key=key, value=value, edge=edge, confirmed=confirmed))
 
@@ -798,7 +798,7 @@ class ToolMethods:
             situation: situation of the channel in the status that the request is based on; the request is
                 refused if the situation has changed since; 1 to 2147483647.
             edge: edge of the tool; default 1; 1 to 99.
-            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
+            confirmed: 1: set the value even if the value or the change exceeds entry_limits; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("tool.touch", _given(
@@ -806,14 +806,14 @@ class ToolMethods:
             confirmed=confirmed, channel=channel))
 
     def load(self, tables: str, *, file: str | None = None, confirmed: int | None = None) -> dict[str, Any]:
-        """Set the tools and work offsets that a text lists; not while a program runs.
+        """Set the tools and work offsets listed in a text; not while a program is running.
 
         ``tool.load``, for the role operator.
 
         Args:
             tables: tools and work offsets, as in a tables file.
             file: name of the text in messages; default: the name of the file.
-            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
+            confirmed: 1: set the value even if the value or the change exceeds entry_limits; 0 to 1.
         """
         return self._call("tool.load", _given(tables=tables, file=file, confirmed=confirmed))
 
@@ -855,7 +855,7 @@ class OffsetMethods:
             offset: work offset: G54 to G59, G59.1 to G59.3, "G54.1 P1".
             axis: axis of the machine, or R for the rotation.
             value: new value; -100000 to 100000 mm, deg.
-            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
+            confirmed: 1: set the value even if the value or the change exceeds entry_limits; 0 to 1.
         """
         return self._call("offset.set", _given(offset=offset, axis=axis, value=value, confirmed=confirmed))
 
@@ -881,7 +881,7 @@ class OffsetMethods:
             as_: whether the value is a radius or a diameter; required if X is shown as a diameter.
             situation: situation of the channel in the status that the request is based on; the request is
                 refused if the situation has changed since; 1 to 2147483647.
-            confirmed: 1: set the value even if entry_limits make the value or the change unlikely; 0 to 1.
+            confirmed: 1: set the value even if the value or the change exceeds entry_limits; 0 to 1.
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("offset.touch", _given(
@@ -970,7 +970,7 @@ class ProcessMethods:
     def grinding(self, program: str) -> dict[str, Any]:
         """Design a plunge grinding cycle from a process file, or verify one from a control file; samples are time
         s, X mm, remaining allowance mm, infeed mm/s, removal mm2/rad, and the ratio of the removal to its
-        boundary; a check on this connection ends it.
+        boundary; a check on this connection cancels it.
 
         ``process.grinding``, for the role observer.
 

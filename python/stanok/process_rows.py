@@ -48,12 +48,12 @@ class ProcessRows(Mapping[str, "npt.NDArray[Any]"]):
 
     @staticmethod
     def unit(name: str) -> str:
-        """Unit of a column, ``"mm/min"``; empty if it has none."""
+        """Unit of a column, for example ``"mm/min"``; empty if it has none."""
         return _told[name][0]
 
     @staticmethod
     def meaning(name: str) -> str:
-        """What a column tells."""
+        """Meaning of a column."""
         return _told[name][1]
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:

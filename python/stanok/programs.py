@@ -11,7 +11,7 @@ Programs = Union[PathLike, Mapping[int, Union[PathLike, Sequence[PathLike]]]]
 
 
 def located(program: PathLike) -> tuple[str, str]:
-    """Name and folder of a program; its folder is the first one that is searched for other texts."""
+    """Name and folder of a program; its folder is the first one that is searched for other programs."""
     path = Path(program)
     if not path.name:
         raise ValueError(f"{str(program)!r} does not name a program")

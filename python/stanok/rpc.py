@@ -168,10 +168,10 @@ class Client(Methods):
             yield notification
 
     def events(self, timeout_s: float | None = None) -> Iterator[dict[str, Any]]:
-        """Alarms, warnings and messages as they come, each once.
+        """Yield alarms, warnings and messages as they come, each once.
 
         Each is ``{"seq", "cycle", "channel", "code", "text", "line"}``. The subscription begins when the first one
-        is requested; ends if none comes for ``timeout_s``.
+        is requested. It ends if none comes for ``timeout_s``.
         """
         self.call("subscribe", {"topics": ["events"]})
         for notification in self.notifications(timeout_s):
@@ -180,7 +180,7 @@ class Client(Methods):
 
     def states(self, topics: Sequence[str] = ("machine", "channels", "drives"), *, rate_hz: float = 10.0,
                timeout_s: float | None = None) -> Iterator[dict[str, Any]]:
-        """The whole state of these topics after each change, at most ``rate_hz`` times a second."""
+        """Yield the whole state of these topics after each change, at most ``rate_hz`` times a second."""
         self.call("subscribe", {"topics": list(topics), "rate_hz": rate_hz})
         state: Any = {}
         for notification in self.notifications(timeout_s):

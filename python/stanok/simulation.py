@@ -18,9 +18,9 @@ __all__ = ["Event", "OperatorEvent", "Run", "Simulation", "simulate"]
 
 @dataclass(frozen=True)
 class OperatorEvent:
-    """An action of an operator in a cycle of a simulation: a method of the operator protocol.
+    """An action of an operator in a given cycle of a simulation, as a method of the operator protocol.
 
-    ``OperatorEvent(2000, "override.feed", {"percent": 50})``
+    Example: ``OperatorEvent(2000, "override.feed", {"percent": 50})``
     """
 
     cycle: int

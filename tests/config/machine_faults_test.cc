@@ -104,7 +104,7 @@ const Case cases[] = {
      "acceleration, mm/s2, deg/s2)"},
     {"MissingName", 2, "", 1, 1, "[machine]: key 'name' is missing"},
     {"EncodingThatIsNone", 2, "name = \"m\"\nprogram_encoding = \"cp12510\"", 3, 20,
-     "`cp12510` is not an encoding that contains ASCII"},
+     "`cp12510` is not a known encoding that contains ASCII"},
     {"EncodingWithoutAscii", 2, "name = \"m\"\nprogram_encoding = \"UTF-16\"", 3, 20,
      "`iconv --list` shows the names"},
     {"EmptyName", 2, "name = \"\"", 2, 8, "[machine]: name is empty"},

@@ -106,7 +106,7 @@ asio::awaitable<std::optional<Identity>> LoginDesk::compare(std::string name,
     is_right = co_await asio::co_spawn(hashing_, compare_in_thread(hash, std::move(password)),
                                        asio::use_awaitable);
   } catch (const std::exception& fault) {
-    spdlog::error("a password could not be compared: {}", fault.what());
+    spdlog::error("a password could not be checked: {}", fault.what());
   }
   // The list may be another one by now.
   const User* user = users_.find(name);

@@ -56,7 +56,7 @@ std::string new_password() {
   const bool is_terminal = ::isatty(STDIN_FILENO) == 1;
   const std::string password = is_terminal ? typed("password: ") : line_of_input();
   if (is_terminal && typed("again: ") != password)
-    throw std::runtime_error("the two passwords differ");
+    throw std::runtime_error("the two passwords differ; give the command again");
   if (password.size() < password_bytes_min || password.size() > password_bytes_max)
     throw std::runtime_error("a password must have " + std::to_string(password_bytes_min) + " to " +
                              std::to_string(password_bytes_max) + " bytes");

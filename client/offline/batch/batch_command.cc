@@ -217,7 +217,8 @@ void add_submit(CLI::App& noun, int& exit_code) {
           "end a program after this many blocks (check), or seconds of machine time (simulate)")
       ->check(CLI::PositiveNumber)
       ->type_name("BLOCKS|SECONDS");
-  command->add_flag("--drives", options->drives, "run the simulated drives (simulate)");
+  command->add_flag("--drives", options->drives,
+                    "run the simulated drives; without this option, drives are ideal (simulate)");
   command
       ->add_option("--pictures", options->pictures,
                    "folder to which `batch results` writes a picture of what each program leaves "

@@ -34,10 +34,10 @@ void BatchFolder::lay_down(const BatchPlan& plan) {
   const std::string there = bytes_in(folder_ / "plan");
   if (there == record) return;
   if (!there.empty()) {
-    throw std::runtime_error(
-        folder_.string() +
-        " holds another batch (other programs, options, machine, directory or stanok); choose "
-        "another folder, or delete that one when its results are read");
+    throw std::runtime_error(folder_.string() +
+                             " holds another batch: its programs, options, machine file, working "
+                             "directory or version of stanok differ; choose another folder, or "
+                             "delete this one if its results are no longer needed");
   }
   std::error_code error;
   for (const char* kind : {"results", "faults", "log"})

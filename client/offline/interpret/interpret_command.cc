@@ -106,7 +106,7 @@ void add_interpret_command(CLI::App& app, int& exit_code) {
       ->excludes(line);
   command
       ->add_option("--pass", options->passes,
-                   "begin at this pass of a loop through the block; default 1")
+                   "begin at this pass of the loop that contains the block; default 1")
       ->check(CLI::PositiveNumber);
   command->add_flag("--without-calculation", options->without_calculation,
                     "skip the preceding blocks instead of interpreting them");

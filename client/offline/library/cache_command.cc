@@ -129,11 +129,12 @@ void add_cache_commands(CLI::App& app, int& exit_code) {
       add("clean", "remove unused results; others may use the cache in the meantime", &clean_cache);
   clean
       ->add_option("--keep", of_clean->keep,
-                   "keep what was used within this time (30d, 12h), remove the rest")
+                   "remove results that have not been used for this time (30d, 12h)")
       ->type_name("TIME");
   clean
-      ->add_option("--size", of_clean->size,
-                   "remove what has been unused longest until this much is left (2G, 500M)")
+      ->add_option(
+          "--size", of_clean->size,
+          "remove the least recently used results until at most this much is left (2G, 500M)")
       ->type_name("SIZE");
 }
 

@@ -71,8 +71,9 @@ int export_log(const ExportOptions& options) {
   const auto contents = value_or_throw(recording::read_contents(options.file));
   const int channel = only_channel(contents, options.channel);
   if (options.process && !jobs::has_process_rows(contents, channel)) {
-    throw std::runtime_error(
-        fmt::format("the log tells nothing of the process of channel {}", channel));
+    throw std::runtime_error(fmt::format(
+        "the log has no process data of channel {}; stanok log info lists what it contains",
+        channel));
   }
   warn_when_damaged(contents, options.file);
   std::int64_t rows = 0;
@@ -86,9 +87,8 @@ int export_log(const ExportOptions& options) {
 
 void add_export_command(CLI::App& noun, int& exit_code) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = noun.add_subcommand(
-      "export",
-      "write the setpoints of a log, or what it tells of the cutting process, as a table");
+  CLI::App* command =
+      noun.add_subcommand("export", "write the setpoints or the process data of a log as a table");
   command->add_option("FILE", options->file, "LCM log")->type_name("FILE")->required();
   command->add_option("--csv", options->csv, "CSV file to write; -: standard output")
       ->type_name("FILE");
@@ -98,8 +98,8 @@ void add_export_command(CLI::App& noun, int& exit_code) {
                    "the axes; needs little memory, however long the log is")
       ->type_name("FILE");
   command->add_flag("--process", options->process,
-                    "feed law, feed, spindle, power, force and vibration in place of setpoints, "
-                    "every 50 ms");
+                    "write feed law, feed, spindle, power, force and vibration instead of "
+                    "setpoints, every 50 ms");
   command->add_option("--channel", options->channel, "channel of the machine")
       ->check(CLI::PositiveNumber);
   command->callback([options, &exit_code] { exit_code = export_log(*options); });

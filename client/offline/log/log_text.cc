@@ -43,13 +43,13 @@ std::string description_text(const LogDescription& log) {
 std::string damage_text(const Damage& damage) {
   switch (damage.kind) {
     case DamageKind::cut:
-      return fmt::format("the file is cut: {} bytes from byte {} are no event", damage.bytes,
-                         damage.offset);
+      return fmt::format("the file is cut: {} bytes from byte {} are not a whole event",
+                         damage.bytes, damage.offset);
     case DamageKind::unreadable:
       return fmt::format("damaged: {} bytes from byte {} were skipped", damage.bytes,
                          damage.offset);
     case DamageKind::altered:
-      return fmt::format("damaged: among {} bytes from byte {} are some that are not as written",
+      return fmt::format("damaged: some of the {} bytes from byte {} have been altered",
                          damage.bytes, damage.offset);
   }
   return {};
@@ -57,15 +57,15 @@ std::string damage_text(const Damage& damage) {
 
 std::string end_text(const recording::LogCoverage& coverage) {
   if (!coverage.has_checks)
-    return "recorded without check sums, as by stanok 0.1.0: changed bytes are not noticed\n";
+    return "recorded without checksums, as by stanok 0.1.0: altered bytes cannot be detected\n";
   switch (coverage.end) {
     case recording::LogEnd::complete:
       return "";
     case recording::LogEnd::next_piece:
-      return "the recording goes on in its next file\n";
+      return "the recording continues in its next file\n";
     case recording::LogEnd::goes_on:
-      return "no trailer: the recording was cut (power failure, kill, full disk) or still goes "
-             "on\n";
+      return "no trailer: the recording was cut (power failure, kill, full disk) or is still in "
+             "progress\n";
   }
   return "";
 }
@@ -77,7 +77,7 @@ std::string fault_text(const LogContents& contents, const Terminal& terminal) {
   }
   for (const auto& [name, channel] : contents.channels) {
     if (channel.undecodable > 0) {
-      const std::string line = fmt::format("damaged: {} messages of {} are no {}",
+      const std::string line = fmt::format("damaged: {} messages of {} are not of type {}",
                                            channel.undecodable, name, channel.type);
       text += terminal.coloured(line, Colour::red) + "\n";
     }

@@ -176,36 +176,38 @@ void add_optimise_command(CLI::App& noun, int& exit_code) {
           ->type_name("FILE");
   command
       ->add_option("--tool", options->tool,
-                   "with --cut: number of the tool whose cuts are looked at; default: all")
+                   "with --cut: number of the tool whose cuts are evaluated; default: all")
       ->check(CLI::PositiveNumber)
       ->needs(cut);
   command
-      ->add_option(
-          "--step", options->step_mm,
-          "with --cut: distance between two places that are looked at, mm; default: twice the "
-          "resolution of the workpiece")
+      ->add_option("--step", options->step_mm,
+                   "with --cut: distance between two evaluated places, mm; default: twice the "
+                   "resolution of the workpiece")
       ->check(CLI::Range(0.001, 100.0))
       ->needs(cut);
   command
       ->add_option("--stiffness", options->stiffness_n_per_um,
-                   "turning: stiffness of tool and part across the cut, N/um; tells the deflection")
+                   "turning: stiffness of tool and part across the cut, N/um; if given, the "
+                   "deflection is reported")
       ->check(CLI::PositiveNumber)
       ->excludes(cut);
   command
-      ->add_option("--force", options->force_n,
-                   "cutting force to be kept, N; without it the forces as programmed are told")
+      ->add_option(
+          "--force", options->force_n,
+          "cutting force to be kept, N; without it, only the forces as programmed are reported")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--feed-min", options->feed_min,
-                   "least feed, mm per turn; default: a twentieth of the programmed one")
+                   "minimum feed, mm per turn; default: a twentieth of the programmed feed")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--feed-max", options->feed_max,
-                   "greatest feed, mm per turn; default: the programmed one")
+                   "maximum feed, mm per turn; default: the programmed feed")
       ->check(CLI::PositiveNumber);
   command->add_option("--out", options->out, "part program to write")->type_name("FILE");
-  command->add_option("--csv", options->csv, "forces along the path as CSV")->type_name("FILE");
-  command->add_option("--picture", options->picture, "the same as a picture, .svg or .png")
+  command->add_option("--csv", options->csv, "write the forces along the path as CSV")
+      ->type_name("FILE");
+  command->add_option("--picture", options->picture, "draw the forces along the path, .svg or .png")
       ->type_name("FILE")
       ->check(picture_name_fault);
   command->callback([options, &exit_code] { exit_code = run_optimise(*options); });

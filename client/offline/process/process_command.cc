@@ -125,7 +125,7 @@ void add_process_commands(CLI::App& app, int& exit_code) {
   CLI::App* noun = noun_of(app);
   const auto options = std::make_shared<LobesOptions>();
   CLI::App* command = noun->add_subcommand(
-      "lobes", "calculate the depths up to which a cut does not chatter, by speed");
+      "lobes", "calculate the depth up to which a cut does not chatter at each speed");
   command->add_option("FILE", options->input, "file with cut and vibrations (TOML)")
       ->required()
       ->type_name("FILE");

@@ -172,7 +172,7 @@ void add_workpiece_follow_command(CLI::App& app, int& exit_code) {
       ->required();
   command
       ->add_option("--machine", options->machine_file,
-                   "machine file; required for the bus, a log contains its own")
+                   "machine file; required for the bus only: a log contains its own")
       ->type_name("FILE");
   command
       ->add_option("--out", options->folder,

@@ -24,7 +24,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** list what operators did, and starts and ends of the daemon: the newest 2000 entries, including those from before the last start */
+  /** list the commands of operators and the starts and ends of the daemon: the newest 2000 entries, including those from before the last start */
   "machine.journal": {
     params: Record<string, never>;
     result: {
@@ -220,7 +220,7 @@ export interface Methods {
       work_offset: string | null;
     };
   };
-  /** show the words that lead to the present position of a channel, and how they are derived */
+  /** show the words that would lead to the present position of a channel, and how they are derived */
   "channel.position": {
     params: {
       why?: number;
@@ -314,7 +314,7 @@ export interface Methods {
       program: string;
     };
   };
-  /** find errors and warnings of a program without running it, and the positions of the rotary axes in its tilted planes; another check on this connection ends this one */
+  /** find errors and warnings of a program without running it, and the positions of the rotary axes in its tilted planes; another check on this connection cancels this one */
   "program.check": {
     params: {
       program: string;
@@ -354,7 +354,7 @@ export interface Methods {
       version: string | null;
     };
   };
-  /** draw the virtual workpiece as the program leaves it after a run on a virtual clock: `picture` is a PNG in base64, seen from the front, right and above, or null if the program announces no blank; a check on this connection ends it */
+  /** draw the virtual workpiece as the program leaves it after a run on a virtual clock: `picture` is a PNG in base64, seen from the front, right and above, or null if the program declares no blank; a check on this connection cancels it */
   "program.picture": {
     params: {
       program: string;
@@ -385,7 +385,7 @@ export interface Methods {
       time_s: number;
     };
   };
-  /** find the time and path length of a program from a run on a virtual clock with the present tables, schemes and positions, overrides at 100 %; a check on this connection ends it */
+  /** find the time and path length of a program from a run on a virtual clock, with the present tables, schemes and positions and with overrides at 100 %; a check on this connection cancels it */
   "program.estimate": {
     params: {
       program: string;
@@ -593,7 +593,7 @@ export interface Methods {
       root: string;
     };
   };
-  /** list the newest 500 program runs of each channel, with their times and how they ended; cycles are those of this start of the daemon */
+  /** list the newest 500 program runs of each channel, with their times and how they ended; cycles count from the last start of the daemon */
   "program.history": {
     params: {
       channel?: number;
@@ -774,7 +774,7 @@ export interface Methods {
       })[];
     };
   };
-  /** start no further program; the one in progress continues */
+  /** start no further program of the queue; the one in progress continues */
   "queue.stop": {
     params: {
       channel?: number;
@@ -837,7 +837,7 @@ export interface Methods {
       type: string | null;
     };
   };
-  /** list the drives of the machine file with bus address, kind and requests */
+  /** list the drives of the machine file with bus address, kind and requests per exchange */
   "drive.list": {
     params: Record<string, never>;
     result: {
@@ -1091,7 +1091,7 @@ export interface Methods {
       undo: number;
     };
   };
-  /** set the tools and work offsets that a text lists; not while a program runs */
+  /** set the tools and work offsets listed in a text; not while a program is running */
   "tool.load": {
     params: {
       tables: string;
@@ -1265,7 +1265,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** design a plunge grinding cycle from a process file, or verify one from a control file; samples are time s, X mm, remaining allowance mm, infeed mm/s, removal mm2/rad, and the ratio of the removal to its boundary; a check on this connection ends it */
+  /** design a plunge grinding cycle from a process file, or verify one from a control file; samples are time s, X mm, remaining allowance mm, infeed mm/s, removal mm2/rad, and the ratio of the removal to its boundary; a check on this connection cancels it */
   "process.grinding": {
     params: {
       program: string;

@@ -37,7 +37,7 @@ export const english_calculations = {
   'calculated.saved': 'saved as',
   stability: 'Stability of a cut',
   'stability.text':
-    'The depth up to which a cut is free of chatter at each speed, from a file of cut, tool and vibration data (.toml). A planned cut is assessed.',
+    'Calculates the depth up to which a cut is free of chatter at each speed, from a file of cut, tool and vibration data (.toml). Also assesses a planned cut.',
   'stability.file': 'Cut and vibration data',
   'stability.method': 'Method',
   'stability.zeroth-order': 'average over a tooth',
@@ -64,7 +64,7 @@ export const english_calculations = {
   'stability.frequency': 'chatter, Hz',
   figures: 'Identify from a log',
   'figures.text':
-    'Idle power, sensor lag and cutting coefficient of the material from the log of a cut with steps of depth and feed; each value lies in its interval with 95 % probability.',
+    'Finds the idle power, the sensor lag and the cutting coefficient of the material from the log of a cut with steps of depth and feed. Each true value lies in its interval with 95 % probability.',
   'figures.kind': 'Log of',
   'figures.turning': 'a turning cut',
   'figures.milling': 'a milling cut',

@@ -218,7 +218,7 @@ export const russian: Record<keyof typeof english, string> = {
   'jog.arm': 'Подготовить',
   'jog.armed': 'Готово: снять',
   'jog.text': 'Не готово: кнопки и стрелки ничего не двигают.',
-  'jog.not_permitted': 'Ваша роль не двигает оси.',
+  'jog.not_permitted': 'Ваша роль не двигает оси. Войдите как оператор.',
   'jog.step': 'Расстояние',
   'jog.hold': 'пока нажато',
   'jog.speed': 'Скорость',

@@ -89,7 +89,8 @@ int run_grinding(const IdentifyOptions& options) {
 int run_milling(const IdentifyOptions& options) {
   const process::CuttingProcess cut = config::read_chatter_file(options.cut);
   if (cut.kind != process::CutKind::milling)
-    throw std::runtime_error(options.cut + " is not of a milling cut; write kind = \"milling\"");
+    throw std::runtime_error(options.cut +
+                             " does not describe a milling cut; write kind = \"milling\"");
   return tell(options,
               jobs::identify(jobs::LoggedMilling{.log = options.log,
                                                  .reading = {.channel = options.channel,
@@ -119,24 +120,25 @@ int run_identify(const IdentifyOptions& options) {
 
 void add_identify_command(CLI::App& noun, int& exit_code) {
   const auto options = std::make_shared<IdentifyOptions>();
-  CLI::App* command = noun.add_subcommand(
-      "identify",
-      "idle power, lag of the sensor and force of the material from the log of a cut: turning, "
-      "milling, or grinding with the stiffness; exit code 1: the model does not fit the log");
+  CLI::App* command =
+      noun.add_subcommand("identify",
+                          "find idle power, sensor lag and cutting force of the material from the "
+                          "log of a turning, milling or grinding cut (grinding: also the "
+                          "stiffness); exit code 1: the model does not fit the log");
   command->add_option("LOG", options->log, "log of a cut")->required()->type_name("FILE");
   CLI::Option* const stock = command->add_option(
       "--stock", options->stock,
-      "turning: the bar before the cut, in the frame of the program: from Z on this radius, mm, "
-      "and "
-      "hardness, HB; or a file with z,radius,hardness, or a machine file with its stock");
+      "turning: the bar before the cut, in the frame of the program: its radius, mm, and hardness, "
+      "HB, from each Z on; or a CSV file with z,radius,hardness, or a machine file with its stock");
   stock->type_name("Z:RADIUS[:HARDNESS]|FILE")->delimiter(',');
   command->add_option("--channel", options->channel, "channel of the cut")
       ->check(CLI::Range(1, 16));
-  command->add_option("--spindle", options->spindle, "spindle of the machine, from 1 on")
+  command->add_option("--spindle", options->spindle, "number of the spindle in the machine, from 1")
       ->check(CLI::Range(1, 16));
   command
       ->add_option("--coefficient", options->coefficient_n,
-                   "C of the material, N at 1 mm depth and 1 mm per turn: tells the efficiency")
+                   "C of the material, N at 1 mm depth and 1 mm per turn; if given, the efficiency "
+                   "is found too")
       ->check(CLI::PositiveNumber);
   CLI::Option* const grinding =
       command
@@ -145,17 +147,18 @@ void add_identify_command(CLI::App& noun, int& exit_code) {
           ->type_name("FILE")
           ->excludes(stock);
   command
-      ->add_option("--touch", options->touch_mm,
-                   "X of the program at which the wheel touches, mm; default: the allowance")
+      ->add_option(
+          "--touch", options->touch_mm,
+          "X of the program at which the wheel touches the part, mm; default: the allowance")
       ->needs(grinding);
   command
       ->add_option("--force-ratio", options->force_ratio,
-                   "tangential over normal force of the wheel (0.4)")
+                   "ratio of the tangential to the normal force of the wheel; default 0.4")
       ->check(CLI::Range(0.05, 2.0))
       ->needs(grinding);
   command
       ->add_option("--wheel-speed", options->wheel_speed_m_per_s,
-                   "surface speed of the wheel, m/s (35)")
+                   "surface speed of the wheel, m/s; default 35")
       ->check(CLI::Range(1.0, 200.0))
       ->needs(grinding);
   CLI::Option* const cut =
@@ -168,21 +171,21 @@ void add_identify_command(CLI::App& noun, int& exit_code) {
           ->excludes(grinding);
   command
       ->add_option("--tool", options->tool,
-                   "milling: number of the tool whose cuts are looked at; default: all")
+                   "milling: number of the tool whose cuts are evaluated; default: all")
       ->check(CLI::PositiveNumber)
       ->needs(cut);
   command
-      ->add_option(
-          "--efficiency", options->efficiency,
-          "of the drive; grinding: of the wheel's (0.85); milling: the forces are those of "
-          "the cut, not of the drive (1)")
+      ->add_option("--efficiency", options->efficiency,
+                   "efficiency of the drive; grinding: of the wheel drive, default 0.85; milling: "
+                   "converts forces at the drive to forces at the cut, default 1")
       ->check(CLI::Range(0.1, 1.0))
       ->excludes(stock);
   command
       ->add_option("--out", options->out,
-                   "[process] section to write; --cut, --grinding: that file with the new figures")
+                   "file to write: the [process] section; with --cut or --grinding, that file with "
+                   "the new values")
       ->type_name("FILE");
-  command->add_option("--picture", options->picture, "power and residual, .svg or .png")
+  command->add_option("--picture", options->picture, "draw power and residual, .svg or .png")
       ->type_name("FILE")
       ->check(picture_name_fault);
   command->add_flag("--json", options->json, "print JSON");
