@@ -137,8 +137,9 @@ void emit_parts(ActiveBlock& block, const std::vector<TurnedPart>& parts, Move& 
     Move part = move;
     part.stop_at_end = false;
     // One move: also in exact stop and on an exact path the axes stand at its end alone.
-    if (part.path.mode != PathMode::continuous) part.path = {};
-    if (&turned != &parts.front()) part.path.orientation_deg = part_rounding_deg;
+    const bool is_smooth = part.path.mode == PathMode::continuous;
+    if (!is_smooth) part.path = {};
+    if (!is_smooth || &turned != &parts.front()) part.path.orientation_deg = part_rounding_deg;
     for (std::size_t k = 0; k < part.end.size(); ++k)
       part.end[k] = start[k] + turned.part * (whole.end[k] - start[k]);
     turn_axes(block, turned.alignment, part);
