@@ -210,8 +210,8 @@ class Process(InFolder):
                 kept.append(content[at:end])
             at = end
         self.log.write_bytes(b"".join(kept))
-        self.assertIn("nothing of the process of channel 1", self.refused(self.log, "--process", "--csv", "-"))
-        with self.assertRaisesRegex(ValueError, "nothing of the process of channel 1"):
+        self.assertIn("no process data of channel 1", self.refused(self.log, "--process", "--csv", "-"))
+        with self.assertRaisesRegex(ValueError, "no process data of channel 1"):
             stanok.open_log(self.log).process()
 
     def test_a_long_log_is_exported_in_bounded_memory(self):
