@@ -16,8 +16,9 @@ namespace {
 constexpr double tolerance_rad = 0.0005 * std::numbers::pi / 180.0;
 // How long the first and the last of several parts may be, which are rounded as the program says.
 constexpr double end_part_max = 1.0 / 16.0;
-// The shortest part of a move. Directions at both of its ends differ by less than 0.01 deg.
-constexpr double shortest_part = 1.0 / 32768.0;
+// The shortest part of a move. Directions at both of its ends differ by less than 0.001 deg: beside
+// a pole the free axis makes half a turn within it.
+constexpr double shortest_part = 1.0 / 262144.0;
 // Vectors nearer to each other than this, or to being opposite, have no plane.
 constexpr double plane_least_rad = 1e-9;
 
