@@ -99,7 +99,7 @@ TEST(Homing, ASpindleThatBecomesAnAxisTurnsToItsIndexPulse) {
   text.replace(text.find("tables = "), std::string("tables = \"lathe/tables.toml\"").size(), "");
   const std::string last_key = "jerk_max = 36000.0\n";
   const std::string search =
-      "[axis.homing]\norder = 1\nvelocity = 120\nvelocity_slow = 60\nmark = \"index\"\n"
+      "[axis.homing]\norder = 1\nvelocity = 120\nvelocity_slow = 60\nhome_switch = \"index\"\n"
       "[axis.plant]\nencoder = \"incremental\"\nindex_pitch = 360\nindex_position = 25\n";
   text.insert(text.find(last_key) + last_key.size(), search);
   text += "\n[drives]\nbus = \"modbus-tcp\"\n";
