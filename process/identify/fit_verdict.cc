@@ -15,15 +15,15 @@ struct MisfitRow {
 constexpr std::array<MisfitRow, 10> misfit_rows{{
     {"none", ""},
     {"dead_sensor", "check the power sensor and its cable; record the cut again"},
-    {"saturated", "set the range of the sensor to the greatest power, or take lighter cuts"},
+    {"saturated", "set the range of the sensor to the highest power, or take lighter cuts"},
     {"coarse", "set a finer resolution of the power in the drive, or take heavier cuts"},
     {"steps",
      "give the stock as it was before the cut, with its hardness by place, or record a cut in one "
      "material"},
     {"drift", "record a short cut with a fresh tool, after spindle and sensor have warmed up"},
     {"force_law", "record with feeds near those that you use, or with a sharp edge"},
-    {"lag", "look whether the drive filters the power; the lag is that of all filters together"},
-    {"bounds", "look whether spindle, tool and stock are those that were cut"},
+    {"lag", "check whether the drive filters the power; the lag is that of all filters together"},
+    {"bounds", "check that spindle, tool and stock are those of the cut"},
     {"open", "record a longer cut with feeds and depths that differ by half and more"},
 }};
 
