@@ -91,14 +91,17 @@ export class ProcessFollower {
   /** Looks at the channel until the function that it gives back is called. */
   follow(channel: number): () => void {
     this.history = new History();
+    // What comes when another channel is looked at is not of that one.
+    let isOver = false;
     const timer = setInterval(() => {
       if (!store.live) return;
       store.call('process.status', { channel }).then(
-        (answer) => this.#take(answer as ProcessStatus),
+        (answer) => (isOver ? undefined : this.#take(answer as ProcessStatus)),
         () => undefined,
       );
     }, period_s * 1000);
     return () => {
+      isOver = true;
       clearInterval(timer);
       this.status = null;
     };
