@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 mkdir -p build/logs
 for preset in "$@"; do
   python3 tools/setpoint-digests.py "build/$preset/bin" >"build/logs/setpoints-$preset.txt"
-  "build/$preset/tests/motion_tests" --gtest_filter='*OperatorRuns*' --gtest_brief=1 \
+  "build/$preset/tests/motion_tests" --gtest_filter='*OperatorRuns*FullSize*' --gtest_brief=1 \
     --gtest_output="json:build/logs/operator-runs-$preset.json"
   grep -oE '"(name|setpoints)": "[^"]*"' "build/logs/operator-runs-$preset.json" >>"build/logs/setpoints-$preset.txt"
 done
