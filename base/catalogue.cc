@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto end = Reaction::program_end;
 
-// Sorted by code, with the rows of base/catalogue_language.h between these two lists. One line a
+// Each list is sorted by code; those of base/catalogue_language.h are among them. One line a
 // row: code, title, reaction, remedy, how to go on.
 constexpr auto alarm_rows = std::to_array<CatalogueRow>({
     {"A1001", "stopped by an operator (STOP ALL)", Reaction::all_axes_off,
@@ -453,28 +453,9 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E9205", "the STL file of the blank is missing or has changed", Reaction::warning,
      "restore the file as it was when the program was loaded, or load the program again",
      "run the program again"},
-    {"W0001", "the program gave a warning", Reaction::warning,
-     "the text is that of warn() in the program", "no action is needed"},
-    {"W110", "the text is not valid UTF-8", Reaction::warning,
-     "save the file as UTF-8, or name its encoding in program_encoding of [machine]",
-     "no action is needed"},
-    {"W2099", "M99 in the main program ends the simulated run", Reaction::warning,
-     "end the program with M30", "no action is needed"},
-    {"W210", "the program has only one frame mark", Reaction::warning,
-     "add the second line with %, or remove the first one", "no action is needed"},
-    {"W211", "the program has no end", Reaction::warning, "end it with M30", "no action is needed"},
-    {"W213", "there are more errors than are shown", Reaction::warning,
-     "correct the errors that are shown; the next check shows the others", "no action is needed"},
-    {"W410", "a dwell looks like milliseconds", Reaction::warning, "G4 P is in seconds",
-     "no action is needed"},
-    {"W411", "a tool moves at feed while no spindle is turning", Reaction::warning,
-     "start the spindle before the cut", "no action is needed"},
-    {"W412", "radius compensation is active at the end of the program", Reaction::warning,
-     "leave the contour with G40 before M30", "no action is needed"},
-    {"W413", "a programmed speed is above the limit of the spindle", Reaction::warning,
-     "correct S, or speed_max in the machine file", "no action is needed"},
-    {"W414", "a parameter has its meaning on Fanuc controls only", Reaction::warning,
-     "name the dialect of the program, or read the position by its name", "no action is needed"},
+});
+
+constexpr auto further_warnings = std::to_array<CatalogueRow>({
     {"W604", "the sensor of an automatic feed law gives no value", Reaction::warning,
      "check the sensor, its wiring and its bus; process status shows the law",
      "the feed is at its minimum until the law is switched off or on again"},
@@ -572,10 +553,14 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
 constexpr auto rows = [] {
   // The reaction has an initialiser in the row.
   // NOLINTNEXTLINE(bugprone-invalid-enum-default-initialization)
-  std::array<CatalogueRow, alarm_rows.size() + language_rows.size() + further_rows.size()> all{};
+  std::array<CatalogueRow, alarm_rows.size() + language_rows.size() + further_rows.size() +
+                               language_warnings.size() + further_warnings.size()>
+      all{};
   auto end_of_rows = std::ranges::copy(alarm_rows, all.begin()).out;
   end_of_rows = std::ranges::copy(language_rows, end_of_rows).out;
-  std::ranges::copy(further_rows, end_of_rows);
+  end_of_rows = std::ranges::copy(further_rows, end_of_rows).out;
+  end_of_rows = std::ranges::copy(language_warnings, end_of_rows).out;
+  std::ranges::copy(further_warnings, end_of_rows);
   return all;
 }();
 

@@ -1,5 +1,5 @@
-// Rows of the catalogue: errors that the language finds, E1001 to E4999. For base/catalogue.cc
-// alone.
+// Rows of the catalogue: errors that the language finds, E1001 to E4999, and its warnings, W0001 to
+// W499. For base/catalogue.cc alone.
 #pragma once
 
 #include <array>
@@ -362,5 +362,30 @@ inline constexpr auto language_rows = [] {
        "correct the program and start it again"},
   });
 }();
+
+inline constexpr auto language_warnings = std::to_array<CatalogueRow>({
+    {"W0001", "the program gave a warning", Reaction::warning,
+     "the text is that of warn() in the program", "no action is needed"},
+    {"W110", "the text is not valid UTF-8", Reaction::warning,
+     "save the file as UTF-8, or name its encoding in program_encoding of [machine]",
+     "no action is needed"},
+    {"W2099", "M99 in the main program ends the simulated run", Reaction::warning,
+     "end the program with M30", "no action is needed"},
+    {"W210", "the program has only one frame mark", Reaction::warning,
+     "add the second line with %, or remove the first one", "no action is needed"},
+    {"W211", "the program has no end", Reaction::warning, "end it with M30", "no action is needed"},
+    {"W213", "there are more errors than are shown", Reaction::warning,
+     "correct the errors that are shown; the next check shows the others", "no action is needed"},
+    {"W410", "a dwell looks like milliseconds", Reaction::warning, "G4 P is in seconds",
+     "no action is needed"},
+    {"W411", "a tool moves at feed while no spindle is turning", Reaction::warning,
+     "start the spindle before the cut", "no action is needed"},
+    {"W412", "radius compensation is active at the end of the program", Reaction::warning,
+     "leave the contour with G40 before M30", "no action is needed"},
+    {"W413", "a programmed speed is above the limit of the spindle", Reaction::warning,
+     "correct S, or speed_max in the machine file", "no action is needed"},
+    {"W414", "a parameter has its meaning on Fanuc controls only", Reaction::warning,
+     "name the dialect of the program, or read the position by its name", "no action is needed"},
+});
 
 }  // namespace stanok
