@@ -1,5 +1,6 @@
 #include "channels/axes/axis_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -33,16 +34,46 @@ std::optional<Fault> AxisMotion::advance(motion::PathQueue& queue,
   interpolator_.advance(queue, control, path_, chunk_limit);
   // Homing names the position of an axis anew: its number steps, and the axis does not.
   const Steps steps = manual_.is_active() ? Steps::of_numbers : Steps::of_axes;
-  if (manual_.is_active()) {
-    manual_.advance(drives_.feedback(), path_.axes);
-    stand();
-  }
+  move_by_hand();
   const auto fault = impossible_step(config_, constants_.cycle_s, axes_, path_.axes, steps);
   if (fault) stay_where_commanded(queue);
   axes_.follow(path_.axes);
   if (fault) return fault;
   if (limits == SoftLimits::not_guarded || manual_.is_active()) return std::nullopt;
   return passed_limit(config_, constants_.cycle_s, axes_, path_.axes);
+}
+
+void AxisMotion::move_by_hand() RT_SAFE {
+  if (aside_.is_on()) aside_.place(path_.axes);
+  if (manual_.is_active()) {
+    manual_.advance(drives_.feedback(), path_.axes);
+    if (!aside_.is_on()) return stand();
+    aside_.follow(path_.axes);
+    if (!manual_.is_active()) aside_.come_to_rest();
+  }
+  if (!aside_.is_on()) return;
+  motion::Point point{};
+  kinematics::forward(frame_, axes_M(), point);
+  for (std::size_t k = 0; k < point.size(); ++k) path_.point[k] = kinematics::Jet(point[k]);
+}
+
+void AxisMotion::leave_path() RT_SAFE {
+  if (!aside_.is_on()) aside_.begin(axes_M());
+}
+
+bool AxisMotion::go_back(double speed) RT_SAFE {
+  if (aside_.is_at_path()) aside_.end();
+  if (!aside_.is_on()) return false;
+  AxisArray<double> to{};
+  std::ranges::copy(aside_.turn_back(), to.begin());
+  manual_.go(to, path_.axes, speed);
+  return true;
+}
+
+// The axes stay where they were moved aside.
+void AxisMotion::forget_path(motion::PathQueue& queue) RT_SAFE {
+  interpolator_.drop_path(queue);
+  if (aside_.is_on()) stand();
 }
 
 void AxisMotion::stay_where_commanded(motion::PathQueue& queue) RT_SAFE {
@@ -89,6 +120,7 @@ void AxisMotion::stand_with(int axis, double position) RT_SAFE {
 }
 
 void AxisMotion::stand() RT_SAFE {
+  aside_.end();
   interpolator_.stand_at(axes_M(), frame_);
   frame_is_new_ = true;
 }
@@ -152,6 +184,7 @@ void AxisMotion::show(ChannelOutput& output) const RT_SAFE {
   output.moving = path_.state == motion::PathState::moving || manual_.is_active();
   output.feed_commanded = path_.feed_commanded;
   output.path_speed = path_.s_speed;
+  output.aside = aside_.is_on();
   output.on_arc = path_.on_arc;
   output.point_W = path_.point;
   output.work_frame = frame_.frame;

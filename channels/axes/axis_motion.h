@@ -14,6 +14,7 @@
 #include "channels/axes/manual_motion.h"
 #include "channels/axes/position_loops.h"
 #include "channels/axes/scheme_table.h"
+#include "channels/axes/way_aside.h"
 #include "motion/interpolation/interpolator.h"
 #include "motion/profile/feed_control.h"
 
@@ -37,6 +38,7 @@ class AxisMotion {
 
   [[nodiscard]] const motion::InterpolatorOutput& path() const RT_SAFE { return path_; }
   [[nodiscard]] bool path_is_at_rest() const RT_SAFE { return interpolator_.at_rest(); }
+  [[nodiscard]] bool is_in_thread() const RT_SAFE { return interpolator_.is_synchronous(); }
   [[nodiscard]] bool is_standing() const RT_SAFE {
     return interpolator_.at_rest() && !manual_.is_active();
   }
@@ -62,12 +64,17 @@ class AxisMotion {
   void drop_path(motion::PathQueue& queue) RT_SAFE;
   // What moves stops where it is, without a ramp: the drives have lost their power.
   void break_off(motion::PathQueue& queue) RT_SAFE;
-  void forget_path(motion::PathQueue& queue) RT_SAFE { interpolator_.drop_path(queue); }
+  void forget_path(motion::PathQueue& queue) RT_SAFE;
   // A drive that does not hold its axis knows better where it stands; only while no program runs.
   void adopt_positions(Power machine) RT_SAFE;
 
   [[nodiscard]] ManualMotion& manual() RT_SAFE { return manual_; }
   [[nodiscard]] const ManualMotion& manual() const RT_SAFE { return manual_; }
+  // While the path is held: from now on moves by hand lead the axes away from it, and back.
+  void leave_path() RT_SAFE;
+  // The next part of the way back begins; false: the axes are on the path again.
+  [[nodiscard]] bool go_back(double speed) RT_SAFE;
+  [[nodiscard]] const WayAside& aside() const RT_SAFE { return aside_; }
   // To where the active scheme parks its axes.
   void return_to_parking() RT_SAFE;
   // Those that look for a home switch, and that this channel moves now.
@@ -84,6 +91,7 @@ class AxisMotion {
 
  private:
   void stand() RT_SAFE;
+  void move_by_hand() RT_SAFE;
   void stay_where_commanded(motion::PathQueue& queue) RT_SAFE;
 
   const motion::MotionConfig& config_;
@@ -96,6 +104,7 @@ class AxisMotion {
   kinematics::Transform frame_;
   bool frame_is_new_ = true;
   ManualMotion manual_;
+  WayAside aside_;
   PositionLoops loops_;
 };
 

@@ -1,7 +1,10 @@
 // What moves by hand must know of an axis.
 #pragma once
 
+#include <cmath>
+
 #include "base/fixed_text.h"
+#include "base/rt_safe.h"
 #include "channels/contract/machine_config.h"
 
 namespace stanok::channels {
@@ -13,5 +16,12 @@ struct ManualAxis {
   HomingConfig homing;
   double following_error_max = 0.5;
 };
+
+// With which it looks for its home switch; an axis that does not: a part of its highest velocity.
+[[nodiscard]] inline double search_speed(const ManualAxis& axis) RT_SAFE {
+  constexpr double unreferenced_part = 0.1;
+  const double search = std::abs(axis.homing.velocity);
+  return search > 0.0 ? search : unreferenced_part * axis.limits.velocity_max;
+}
 
 }  // namespace stanok::channels

@@ -49,6 +49,7 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
     state.move.stop();
     state.cycles_left = -1;
   }
+  if (jog.increment > 0.0 && takes_up(jog)) return add(jog, drive);
   if (state.task != Task::none || homing_state_ == HomingState::running || line_.is_active())
     return "E6056";
   if (up ? drive.limit_positive : drive.limit_negative) return "E6057";
@@ -66,8 +67,33 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
   }
   state.task = Task::jog;
   state.cycles_left = jog.increment > 0.0 ? -1 : std::llround(lease_s / cycle_s_);
+  state.adds = jog.increment > 0.0;
+  state.end = to;
+  state.more = 0.0;
   state.move.begin(from, to, {.speed = speed, .ramp = ramp_of(limits)});
   return {};
+}
+
+std::string_view ManualMotion::add(const Jog& jog, const AxisFeedback& drive) RT_SAFE {
+  AxisState& state = states_[jog.axis];
+  const motion::AxisLimits& limits = axes_[jog.axis].limits;
+  const bool up = jog.velocity > 0.0;
+  const double more = state.more + (up ? jog.increment : -jog.increment);
+  const double end = state.end + more;
+  if (up ? drive.limit_positive : drive.limit_negative) return "E6057";
+  if (drive.referenced && (up ? end > limits.position_max : end < limits.position_min))
+    return "E6053";
+  const double fastest = drive.referenced ? 1.0 : unreferenced_part;
+  state.speed = std::min(std::abs(jog.velocity), fastest * limits.velocity_max);
+  state.more = more;
+  return {};
+}
+
+void ManualMotion::go_on(AxisState& state, const ManualAxis& axis) RT_SAFE {
+  const double from = state.end;
+  state.end += state.more;
+  state.more = 0.0;
+  state.move.begin(from, state.end, {.speed = state.speed, .ramp = ramp_of(axis.limits)});
 }
 
 std::string_view ManualMotion::jog(const JogLine& line, std::span<const AxisFeedback> drives,
@@ -83,12 +109,16 @@ std::string_view ManualMotion::jog(const JogLine& line, std::span<const AxisFeed
 
 void ManualMotion::go(int axis, double from, double to) RT_SAFE {
   const ManualAxis& constants = axes_[axis];
-  const double search = std::abs(constants.homing.velocity);
-  const double speed = search > 0.0 ? search : unreferenced_part * constants.limits.velocity_max;
   AxisState& state = states_[axis];
   state.task = Task::jog;
+  state.adds = false;
   state.cycles_left = -1;
-  state.move.begin(from, to, {.speed = speed, .ramp = ramp_of(constants.limits)});
+  state.move.begin(from, to, {.speed = search_speed(constants), .ramp = ramp_of(constants.limits)});
+}
+
+void ManualMotion::go(const AxisArray<double>& to, std::span<const kinematics::Jet> positions,
+                      double speed) RT_SAFE {
+  line_.go(to, {axes_.begin(), axes_.begin() + count_}, positions, speed);
 }
 
 void ManualMotion::home(lang::AxisSet axes) RT_SAFE {
@@ -110,6 +140,8 @@ void ManualMotion::stop() RT_SAFE {
   line_.stop();
   for (AxisState& state : states_) {
     state.move.stop();
+    state.adds = false;
+    state.more = 0.0;
     state.reference.accepted = false;
     // An axis that waits for its drive stands where it is.
     state.task = state.task == Task::jog || state.task == Task::search ? Task::jog : Task::none;
@@ -127,6 +159,11 @@ bool ManualMotion::is_active() const RT_SAFE {
   return to_home_ != 0 || line_.is_active() ||
          std::any_of(states_.begin(), states_.end(),
                      [](const AxisState& state) { return state.task != Task::none; });
+}
+
+bool ManualMotion::takes_up(const Jog& jog) const RT_SAFE {
+  const AxisState& state = states_[jog.axis];
+  return jog.increment > 0.0 ? state.task == Task::jog && state.adds : jogs(jog.axis);
 }
 
 bool ManualMotion::jogs(int axis) const RT_SAFE {
@@ -152,7 +189,12 @@ void ManualMotion::advance(std::span<const AxisFeedback> drives,
         if (state.cycles_left == 1) state.move.stop();
         if (state.cycles_left > 0) --state.cycles_left;
         run(state, positions[k]);
-        if (state.move.is_at_rest()) state.task = Task::none;
+        if (!state.move.is_at_rest()) break;
+        if (state.more != 0.0) {
+          go_on(state, axes_[k]);
+        } else {
+          state.task = Task::none;
+        }
         break;
       case Task::search:
         search(k, drives[k], positions[k]);

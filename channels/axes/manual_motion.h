@@ -36,6 +36,7 @@ class ManualMotion {
   void set_up(std::span<const ManualAxis> axes, double cycle_s);
 
   // Begins a jog from `from`, or renews the current one; the other direction stops that one.
+  // Increments that come while one is under way add up, in either direction.
   // Returns why not: a code of the catalogue; empty: it goes.
   [[nodiscard]] std::string_view jog(const Jog& jog, double from, const AxisFeedback& drive)
       RT_SAFE;
@@ -44,6 +45,9 @@ class ManualMotion {
                                      std::span<const kinematics::Jet> positions) RT_SAFE;
   // From `from` to a place of the axis, with the velocity of its search.
   void go(int axis, double from, double to) RT_SAFE;
+  // All along a straight line to `to`, exactly; 0: with the velocity of their searches.
+  void go(const AxisArray<double>& to, std::span<const kinematics::Jet> positions, double speed)
+      RT_SAFE;
   // Homes these axes; those with an absolute encoder (order 0) are left out.
   void home(lang::AxisSet axes) RT_SAFE;
   // All axes come to rest; what was begun is over.
@@ -52,6 +56,8 @@ class ManualMotion {
   void break_off() RT_SAFE;
 
   [[nodiscard]] bool is_active() const RT_SAFE;
+  // The jog under way takes it up: it is renewed, or goes further.
+  [[nodiscard]] bool takes_up(const Jog& jog) const RT_SAFE;
   // Under a lease: of this axis, along a line, any.
   [[nodiscard]] bool jogs(int axis) const RT_SAFE;
   [[nodiscard]] bool jogs_along_line() const RT_SAFE { return line_.is_leased(); }
@@ -74,8 +80,14 @@ class ManualMotion {
     AxisHoming homing;
     DriveReference reference;
     std::int64_t cycles_left = 0;  // of the lease, or for the drive to answer; < 0: no end
+    bool adds = false;             // jog: by increments
+    double end = 0.0;              // of the increment under way
+    double more = 0.0;             // behind it, with its sign
+    double speed = 0.0;            // of that
   };
 
+  [[nodiscard]] std::string_view add(const Jog& jog, const AxisFeedback& drive) RT_SAFE;
+  void go_on(AxisState& state, const ManualAxis& axis) RT_SAFE;
   void begin_next_order(std::span<const kinematics::Jet> positions) RT_SAFE;
   void search(std::size_t axis, const AxisFeedback& drive, kinematics::Jet& position) RT_SAFE;
   void accept(std::size_t axis, const AxisFeedback& drive, const kinematics::Jet& position) RT_SAFE;

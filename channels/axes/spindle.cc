@@ -43,14 +43,14 @@ void Spindle::follow_diameter(double diameter_mm) RT_SAFE {
   if (cutting_speed_ <= 0.0) return;
   constexpr double mm_per_m = 1000.0;
   const double wanted = mm_per_m * cutting_speed_ / (std::numbers::pi * diameter_mm);
-  programmed_ = std::clamp(wanted, speed_min_, speed_max_);
+  programmed_ = std::clamp(wanted, speeds_.min, speeds_.max);
 }
 
 double Spindle::target() const RT_SAFE {
-  if (direction_ == 0 || programmed_ == 0.0) return 0.0;
-  const double limit = speed_limit_ > 0.0 ? std::min(speed_limit_, speed_max_) : speed_max_;
-  const double commanded = std::max(speed_min_, std::min(programmed_ * override_, limit));
-  return direction_ * std::clamp(share_ * commanded, -speed_max_, speed_max_);
+  if (rests_ || direction_ == 0 || programmed_ == 0.0) return 0.0;
+  const double limit = speed_limit_ > 0.0 ? std::min(speed_limit_, speeds_.max) : speeds_.max;
+  const double commanded = std::max(speeds_.min, std::min(programmed_ * override_, limit));
+  return direction_ * std::clamp(share_ * commanded, -speeds_.max, speeds_.max);
 }
 
 void Spindle::stop_within(double turns) RT_SAFE {

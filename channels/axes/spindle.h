@@ -14,8 +14,7 @@ class Spindle {
   Spindle() = default;
   explicit Spindle(const SpindleConfig& config)
       : id_(config.id),
-        speed_min_(config.speed_min),
-        speed_max_(config.speed_max),
+        speeds_{config.speed_min, config.speed_max},
         acceleration_(config.acceleration),
         wait_at_speed_(config.wait_at_speed) {}
 
@@ -38,6 +37,10 @@ class Spindle {
   // Turns again as it is commanded.
   void go_on() RT_SAFE;
 
+  // Stands whatever it is commanded, until it may turn again.
+  void rest() RT_SAFE { rests_ = true; }
+  void turn_again() RT_SAFE { rests_ = false; }
+
   void set_override(double factor) RT_SAFE { override_ = factor; }
   // One cycle of `period_s`.
   void advance(double period_s) RT_SAFE;
@@ -50,9 +53,13 @@ class Spindle {
   [[nodiscard]] double target() const RT_SAFE;  // rev/min, signed: that it comes to
 
  private:
+  struct Speeds {
+    double min = 0.0;
+    double max = 0.0;
+  };
+
   int id_ = 0;
-  double speed_min_ = 0.0;
-  double speed_max_ = 0.0;
+  Speeds speeds_;
   double acceleration_ = 0.0;  // rev/min/s; 0 = at once
   bool wait_at_speed_ = true;
   double programmed_ = 0.0;
@@ -60,6 +67,7 @@ class Spindle {
   double speed_limit_ = 0.0;    // of G96, rev/min; 0: none
   double override_ = 1.0;
   int direction_ = 0;
+  bool rests_ = false;
   double share_ = 1.0;               // of the commanded speed: below zero back, 0 at rest
   double acceleration_asked_ = 0.0;  // rev/min/s; 0: that of the machine file
   double speed_ = 0.0;

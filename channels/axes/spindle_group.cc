@@ -63,6 +63,14 @@ void SpindleGroup::stop() RT_SAFE {
   for (Spindle& spindle : spindles_) spindle.stop();
 }
 
+void SpindleGroup::rest() RT_SAFE {
+  for (Spindle& spindle : spindles_) spindle.rest();
+}
+
+void SpindleGroup::turn_again() RT_SAFE {
+  for (Spindle& spindle : spindles_) spindle.turn_again();
+}
+
 void SpindleGroup::set_override(double factor) RT_SAFE {
   for (Spindle& spindle : spindles_) spindle.set_override(factor);
 }

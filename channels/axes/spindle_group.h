@@ -28,6 +28,9 @@ class SpindleGroup {
   void command(const lang::SpindleCommand& command) RT_SAFE;
   void command(const lang::CuttingSpeedMode& mode) RT_SAFE;
   void stop() RT_SAFE;  // all of them
+  // All stand whatever they are commanded, until they may turn again.
+  void rest() RT_SAFE;
+  void turn_again() RT_SAFE;
   void set_override(double factor) RT_SAFE;
   [[nodiscard]] bool any_turns() const RT_SAFE;
   // All have the speed that the next step of the program waits for.

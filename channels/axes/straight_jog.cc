@@ -56,7 +56,32 @@ std::string_view StraightJog::begin(const JogLine& line, std::span<const ManualA
   move_.begin(0.0, sign * way.length, way.move);
   cycles_left_ = -1;
   is_active_ = true;
+  has_place_ = false;
   return {};
+}
+
+void StraightJog::go(const AxisArray<double>& to, std::span<const ManualAxis> axes,
+                     std::span<const kinematics::Jet> positions, double speed) RT_SAFE {
+  double squared = 0.0;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    from_[k] = positions[k].value;
+    squared += (to[k] - from_[k]) * (to[k] - from_[k]);
+  }
+  const double length = std::sqrt(squared);
+  WayLimits way;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    direction_[k] = length > 0.0 ? (to[k] - from_[k]) / length : 0.0;
+    const double share = std::abs(direction_[k]);
+    if (share == 0.0) continue;
+    way.keep(axes[k].limits, length * share, share);
+    if (speed == 0.0) way.move.speed = std::min(way.move.speed, search_speed(axes[k]) / share);
+  }
+  if (speed > 0.0) way.move.speed = std::min(way.move.speed, speed);
+  to_ = to;
+  move_.begin(0.0, length, way.move);
+  cycles_left_ = -1;
+  is_active_ = true;
+  has_place_ = true;
 }
 
 bool StraightJog::renew(const JogLine& line, std::int64_t cycles) RT_SAFE {
@@ -74,6 +99,7 @@ bool StraightJog::renew(const JogLine& line, std::int64_t cycles) RT_SAFE {
 }
 
 void StraightJog::stop() RT_SAFE {
+  has_place_ = false;
   move_.stop();
   cycles_left_ = -1;
 }
@@ -87,6 +113,9 @@ void StraightJog::advance(double cycle_s, std::span<kinematics::Jet> positions) 
   for (std::size_t k = 0; k < positions.size() && k < axes_max; ++k)
     if (direction_[k] != 0.0) positions[k] = from_[k] + direction_[k] * way;
   is_active_ = !move_.is_at_rest();
+  if (is_active_ || !has_place_) return;
+  for (std::size_t k = 0; k < positions.size() && k < axes_max; ++k)
+    if (direction_[k] != 0.0) positions[k] = kinematics::Jet(to_[k]);
 }
 
 }  // namespace stanok::channels

@@ -34,6 +34,10 @@ class StraightJog {
   [[nodiscard]] std::string_view begin(const JogLine& line, std::span<const ManualAxis> axes,
                                        std::span<const AxisFeedback> drives,
                                        std::span<const kinematics::Jet> positions) RT_SAFE;
+  // From where they are to `to`, exactly; speed: along the way, 0: that with which each axis
+  // searches.
+  void go(const AxisArray<double>& to, std::span<const ManualAxis> axes,
+          std::span<const kinematics::Jet> positions, double speed) RT_SAFE;
   // Whether the jog under way is this one, which goes on for another lease of so many cycles; the
   // opposite one stops it.
   [[nodiscard]] bool renew(const JogLine& line, std::int64_t cycles) RT_SAFE;
@@ -48,9 +52,11 @@ class StraightJog {
  private:
   AxisArray<double> from_{};
   AxisArray<double> direction_{};
+  AxisArray<double> to_{};
   motion::AxisMove move_;          // along the way, from 0
   std::int64_t cycles_left_ = -1;  // of the lease; < 0: no end
   bool is_active_ = false;
+  bool has_place_ = false;  // to_ is where it ends unless it is stopped
 };
 
 }  // namespace stanok::channels

@@ -19,21 +19,31 @@ constexpr std::string_view by_hand = "E6056";
 constexpr std::string_view stops = "E6070";
 constexpr std::string_view switches = "E6071";
 constexpr std::string_view scheme_in_use = "E5202";
+constexpr std::string_view not_held = "E6096";
+constexpr std::string_view is_aside = "E6097";
+constexpr std::string_view on_path = "E6098";
 
 constexpr Codes always{};
-// The columns: off, idle, ready | by hand, switching | running, held | alarm, fault | ending.
-constexpr Codes power_on{yes, yes, yes, yes, yes, yes, yes, alarm, alarm, stops};
-constexpr Codes load{yes, yes, yes, yes, yes, runs, runs, alarm, alarm, stops};
-constexpr Codes search{yes, no_program, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
-constexpr Codes run{off, yes, yes, by_hand, switches, runs, runs, alarm, alarm, stops};
-constexpr Codes start{off, no_program, yes, by_hand, switches, runs, yes, alarm, alarm, stops};
-constexpr Codes resume{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran,
-                       yes,         yes,         alarm,       alarm,       stops};
-constexpr Codes select{off,           yes,           yes,   by_hand, switches,
+// The columns: off, idle, ready | by hand, switching | running, held, aside | alarm, fault |
+// ending.
+constexpr Codes power_on{yes, yes, yes, yes, yes, yes, yes, yes, alarm, alarm, stops};
+constexpr Codes load{yes, yes, yes, yes, yes, runs, runs, runs, alarm, alarm, stops};
+constexpr Codes search{yes,  no_program, yes,   by_hand, switches, runs,
+                       runs, runs,       alarm, alarm,   stops};
+constexpr Codes run{off, yes, yes, by_hand, switches, runs, runs, runs, alarm, alarm, stops};
+constexpr Codes start{off, no_program, yes,   by_hand, switches, runs,
+                      yes, is_aside,   alarm, alarm,   stops};
+constexpr Codes resume{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran, yes,
+                       yes,         is_aside,    alarm,       alarm,       stops};
+constexpr Codes select{off,           yes,           yes,   by_hand, switches, scheme_in_use,
                        scheme_in_use, scheme_in_use, alarm, alarm,   stops};
-constexpr Codes jog_codes{off, yes, yes, yes, switches, runs, runs, yes, off, stops};
-constexpr Codes touch{yes, yes, yes, by_hand, switches, runs, runs, yes, yes, stops};
-constexpr Codes tables{yes, yes, yes, yes, yes, runs, runs, yes, yes, stops};
+constexpr Codes jog_codes{off, yes, yes, yes, switches, runs, yes, yes, yes, off, stops};
+constexpr Codes touch{yes, yes, yes, by_hand, switches, runs, runs, runs, yes, yes, stops};
+constexpr Codes tables{yes, yes, yes, yes, yes, runs, runs, runs, yes, yes, stops};
+constexpr Codes interlude{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran, not_held,
+                          yes,         yes,         alarm,       alarm,       stops};
+constexpr Codes go_back{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran, not_held,
+                        on_path,     yes,         alarm,       alarm,       stops};
 
 const Codes& codes_of(AdmissionRule rule) RT_SAFE {
   switch (rule) {
@@ -57,6 +67,10 @@ const Codes& codes_of(AdmissionRule rule) RT_SAFE {
       return tables;
     case AdmissionRule::touch:
       return touch;
+    case AdmissionRule::interlude:
+      return interlude;
+    case AdmissionRule::go_back:
+      return go_back;
     case AdmissionRule::always:
       return always;
   }
@@ -81,6 +95,8 @@ std::string_view name_of(Situation situation) {
       return "running";
     case Situation::held:
       return "held";
+    case Situation::aside:
+      return "aside";
     case Situation::alarm:
       return "alarm";
     case Situation::fault:
@@ -105,6 +121,9 @@ std::string_view claim_of_refusal(std::string_view code) RT_SAFE {
   if (code == stops) return ": it is still coming to rest";
   if (code == switches) return ": the kinematics are being changed";
   if (code == scheme_in_use) return ": a program is using its kinematics";
+  if (code == not_held) return ": its program is not held";
+  if (code == is_aside) return ": its axes were moved away from the path; return to it first";
+  if (code == on_path) return ": its axes are on the path";
   return "";
 }
 

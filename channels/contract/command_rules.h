@@ -24,6 +24,7 @@ enum class Situation : std::uint8_t {
   switching,  // on, an operator's change of kinematics under way
   running,
   held,
+  aside,   // held, with axes moved away from the path by hand
   alarm,   // the alarm of a program; power stays on
   fault,   // the alarm of a fault or an emergency stop; without power
   ending,  // coming to rest for a stop, a reset or a fault

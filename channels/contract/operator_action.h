@@ -26,6 +26,8 @@ enum class AdmissionRule : std::uint8_t {
   jog,
   tables,
   touch,
+  interlude,  // with a held program
+  go_back,    // to the path
 };
 
 // What an action does to motion.

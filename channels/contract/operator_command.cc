@@ -160,6 +160,15 @@ void convert(auto& form, commands::OffsetTouch& command) {
   form.value(command.point_W);
   form.number(command.active);
 }
+void convert(auto& form, commands::ProgramReturn& command) {
+  form.value(command.velocity);
+}
+void convert(auto& form, commands::SpindleSwitch& command) {
+  form.on_or_off(command.to);
+}
+void convert(auto& form, commands::CoolantSwitch& command) {
+  form.on_or_off(command.to);
+}
 void convert(auto& form, commands::ToolTouch& command) {
   form.text(command.key);
   form.value(command.point_W);

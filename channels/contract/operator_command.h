@@ -49,6 +49,9 @@ enum class OperatorAction : std::uint8_t {
   channel_control,
   offset_touch,
   tool_touch,
+  program_return,
+  spindle_switch,
+  coolant_switch,
 };
 
 enum class Switch : std::uint8_t { off, on };
@@ -178,6 +181,17 @@ struct ToolTouch {
 struct ChannelControl {
   std::int32_t session = 0;  // 0: nobody
 };
+// Axes that were moved away from a held program go back to its path.
+struct ProgramReturn {
+  double velocity = 0.0;  // mm/s or deg/s along the way; 0: that of each axis's search
+};
+// Spindles of a held program: off, or again as it commanded them.
+struct SpindleSwitch {
+  Switch to = Switch::off;
+};
+struct CoolantSwitch {
+  Switch to = Switch::off;
+};
 
 }  // namespace commands
 
@@ -190,7 +204,8 @@ using OperatorCommand = std::variant<
     commands::OptionalStop, commands::BlockSkip, commands::BlockSkipOff, commands::SingleBlock,
     commands::Mdi, commands::ProcessInterrupt, commands::ProcessAutomatic, commands::Jog,
     commands::Home, commands::ToolSet, commands::OffsetSet, commands::ProcessAdaptive,
-    commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch>;
+    commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch,
+    commands::ProgramReturn, commands::SpindleSwitch, commands::CoolantSwitch>;
 static_assert(std::is_trivially_copyable_v<OperatorCommand>);
 
 [[nodiscard]] inline OperatorAction action_of(const OperatorCommand& command) RT_SAFE {

@@ -201,6 +201,10 @@ struct ChannelOutput {
   bool waiting = false;   // in channel_wait, a mark, a dwell
   Wait wait;              // for what
   HoldCause hold_cause = HoldCause::none;
+  // Of a held program: what an operator did to it.
+  bool aside = false;         // axes were moved away from the path
+  bool spindles_off = false;  // its spindles are stopped, its coolant is off
+  bool coolant_off = false;
   std::int32_t scheme = 0;
   // Of what took effect last, a block of the path or an item beside it; line 0: no program runs.
   // Its situation is that of everything here, also while nothing runs.

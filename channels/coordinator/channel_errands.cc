@@ -5,6 +5,7 @@ namespace stanok::channels {
 using errand_states::Asked;
 using errand_states::ChangingScheme;
 using errand_states::Ending;
+using errand_states::GoingBack;
 using errand_states::Homing;
 using errand_states::IndexSearching;
 using errand_states::Loaded;
@@ -88,7 +89,7 @@ Verdict ChannelErrands::start(const Errand& errand, OperatorAction action, Job j
   Channel& target = target_of(errand);
   if (const auto refused = obstacle(errand, action)) return *refused;
   if (target.state().shown() == ChannelState::held) {
-    target.run.resume();
+    target.switches.resume();
     return success();
   }
   if (target.drives.axis_on_limit_switch() >= 0)
@@ -184,6 +185,27 @@ Verdict ChannelErrands::begin_homing(Errand& errand, std::string_view name) RT_S
   target.home(axes);
   errand.state = ErrandState(Homing{});
   return pending();
+}
+
+// Spindles and coolant first, then the way back, part by part; a stop leaves the axes where they
+// come to rest on it.
+Verdict ChannelErrands::step(Errand& errand, const requests::ProgramReturn& request) RT_SAFE {
+  Channel& target = target_of(errand);
+  if (errand.is<Asked>()) {
+    if (const auto refused = obstacle(errand, OperatorAction::program_return)) return *refused;
+    if (target.motion.manual().is_active())
+      return refusal_of(target.id(), "E6056", ": axes are being jogged or homed");
+    target.switches.set_spindles(Switch::on);
+    target.switches.set_coolant(Switch::on);
+    errand.state = ErrandState(GoingBack{target.run.hand_stops()});
+  }
+  if (std::get_if<GoingBack>(&errand.state)->hand_stops != target.run.hand_stops())
+    return refusal_of(target.id(), "E6072", " was stopped on its way back");
+  if (target.motion.manual().is_active() || !target.switches.spindles_turn_as_commanded())
+    return pending();
+  if (target.motion.go_back(request.velocity)) return pending();
+  target.run.apply(Change::path_joined);
+  return success();
 }
 
 Verdict ChannelErrands::step(Errand& errand, const requests::KinematicsSelect& request) RT_SAFE {

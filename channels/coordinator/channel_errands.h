@@ -27,7 +27,7 @@ template <class Kind>
 concept ChannelRequest =
     IsOneOf<Kind, requests::ProgramLoad, requests::Search, requests::ProgramStart,
             requests::ProgramRun, requests::LineRun, requests::ProgramStop, requests::ProgramReset,
-            requests::Home, requests::KinematicsSelect>;
+            requests::Home, requests::KinematicsSelect, requests::ProgramReturn>;
 
 class ChannelErrands {
  public:
@@ -44,6 +44,7 @@ class ChannelErrands {
   [[nodiscard]] Verdict step(Errand& errand, const requests::ProgramReset& request) RT_SAFE;
   [[nodiscard]] Verdict step(Errand& errand, const requests::Home& request) RT_SAFE;
   [[nodiscard]] Verdict step(Errand& errand, const requests::KinematicsSelect& request) RT_SAFE;
+  [[nodiscard]] Verdict step(Errand& errand, const requests::ProgramReturn& request) RT_SAFE;
   // M902 of the asker: the spindle stops, the drive takes the position over where it stands;
   // which has not found its index pulse turns to it.
   [[nodiscard]] Verdict spindle_to_axis(Errand& errand, int spindle) RT_SAFE;

@@ -31,6 +31,9 @@ struct Commission {
   Request operator()(const commands::Home& command) const RT_SAFE {
     return requests::Home{command.axis};
   }
+  Request operator()(const commands::ProgramReturn& command) const RT_SAFE {
+    return requests::ProgramReturn{command.velocity};
+  }
   // A stop or a reset.
   Request operator()(const auto& /*command*/) const RT_SAFE { return requests::ProgramReset{}; }
 };
@@ -40,7 +43,7 @@ bool begins_something(const Errand& errand) RT_SAFE {
   if (errand.target < 0 || errand.asker == errand.target) return false;
   return holds_one_of<requests::Home, requests::KinematicsSelect, requests::ProgramLoad,
                       requests::Search, requests::ProgramStart, requests::ProgramRun,
-                      requests::LineRun>(errand.request);
+                      requests::LineRun, requests::ProgramReturn>(errand.request);
 }
 
 // Of the channel that a request names; 0: it names none.

@@ -21,6 +21,10 @@ struct Ending {};
 // Home: the axes search; then those that the scheme parks go back.
 struct Homing {};
 struct Parking {};
+// ProgramReturn: what may stop it has been counted so far.
+struct GoingBack {
+  std::uint32_t hand_stops = 0;
+};
 // KinematicsSelect.
 struct ChangingScheme {};
 
@@ -47,8 +51,9 @@ namespace stanok::channels {
 using ErrandState =
     std::variant<errand_states::Asked, errand_states::Loading, errand_states::Loaded,
                  errand_states::Ending, errand_states::Homing, errand_states::Parking,
-                 errand_states::ChangingScheme, errand_states::SpindleStopping,
-                 errand_states::LoopClosing, errand_states::IndexSearching,
-                 errand_states::AwaitingEnd, errand_states::AtMark, errand_states::WatchingInput>;
+                 errand_states::GoingBack, errand_states::ChangingScheme,
+                 errand_states::SpindleStopping, errand_states::LoopClosing,
+                 errand_states::IndexSearching, errand_states::AwaitingEnd, errand_states::AtMark,
+                 errand_states::WatchingInput>;
 
 }  // namespace stanok::channels

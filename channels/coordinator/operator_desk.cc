@@ -20,6 +20,10 @@ std::string_view jog_refusal(std::string_view code) RT_SAFE {
   if (code == "E6057") return "the axis is on the limit switch at this end; jog it back";
   if (code == "E6053") return "the axis would leave its travel";
   if (code == "E6003") return "a program is running or held";
+  if (code == "E6070") return "the program has not come to rest yet";
+  if (code == "E6099")
+    return "the held program is in a thread, measures, or changes kinematics or axes";
+  if (code == "E6100") return "the way back to the path has 64 parts: return first";
   if (code == "E6055")
     return "the active scheme has no straight line in this direction; jog the axes of the machine";
   if (code == "E6059")
@@ -115,7 +119,7 @@ template <class Command>
 concept TakesTime =
     OneOf<Command, commands::ProgramLoad, commands::ProgramRun, commands::ProgramStart,
           commands::ProgramStop, commands::ProgramReset, commands::KinematicsSelect, commands::Mdi,
-          commands::Home, commands::ProgramSearch>;
+          commands::Home, commands::ProgramSearch, commands::ProgramReturn>;
 
 }  // namespace
 
@@ -160,7 +164,17 @@ struct OperatorDesk::Application {
     return each([](Channel& c) RT_SAFE { c.switches.hold(); });
   }
   Result operator()(const commands::ProgramResume& /*command*/) const RT_SAFE {
-    return each([](Channel& c) RT_SAFE { c.run.resume(); });
+    return each([](Channel& c) RT_SAFE { c.switches.resume(); });
+  }
+  // Axes on their way back to the path stay where they are without their spindle.
+  Result operator()(const commands::SpindleSwitch& command) const RT_SAFE {
+    return each([&](Channel& c) RT_SAFE {
+      if (command.to == Switch::off) c.run.stop_by_hand();
+      c.switches.set_spindles(command.to);
+    });
+  }
+  Result operator()(const commands::CoolantSwitch& command) const RT_SAFE {
+    return each([&](Channel& c) RT_SAFE { c.switches.set_coolant(command.to); });
   }
   Result operator()(const commands::OverrideFeed& command) const RT_SAFE {
     return each([&](Channel& c) RT_SAFE {

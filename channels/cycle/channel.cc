@@ -28,7 +28,7 @@ void Channel::see_gap(const ClockGap& gap) RT_SAFE {
   if (motion.path().is_led_by_spindle)
     return run.fail("A4002", text.append(" in a thread").view(), motion.path().tag);
   if (gap.then == AfterGap::is_held) {
-    if (state().situation() == Situation::held) return;  // for a cause of its own
+    if (state().is_held()) return;  // for a cause of its own
     if (state().situation() == Situation::running)
       log.tell("W732", text.view(), items_.current_tag());
     return run.hold(HoldCause::clock_gap);
@@ -52,6 +52,7 @@ void Channel::advance(std::int64_t cycle, Period period) RT_SAFE {
   marks.begin_cycle();
   if (period == Period::present) work_items();
   spindles.observe();
+  switches.advance();
   move();
   follow_thread();
   motion.close_loops();
@@ -234,7 +235,9 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   spindles.show(output.process);
   process.show(output.process);
   output.workpiece = announcements_.workpiece();
-  output.coolant = items_.coolant();
+  output.coolant_off = switches.coolant() == Switch::off;
+  output.spindles_off = switches.spindles_are_off();
+  if (!output.coolant_off) output.coolant = items_.coolant();
   output.tool = items_.tool();
   output.arrivals = arrivals_.arrivals();
 }

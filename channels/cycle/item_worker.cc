@@ -166,7 +166,7 @@ void ItemWorker::advance() RT_SAFE {
   Ring<Item>& items = parts_.link.items;
   const RunState& state = parts_.run.state();
   for (int n = 0; n < items_per_cycle; ++n) {
-    if (state.is_ending() || state.situation() == Situation::held) return;
+    if (state.is_ending() || state.is_held()) return;
     if (stops_where_preparation_broke_off()) return;
     if (!finish_activity()) return;
     if (items.empty() || !parts_.motion.path_is_at_rest()) return;
@@ -178,6 +178,10 @@ void ItemWorker::advance() RT_SAFE {
     if (item_.tag.line != 0 && item_.tag.run == parts_.runs.run()) now_ = item_.tag;
     visit_in_cycle(Execution{*this, parts_, item_.tag}, item_.content);
   }
+}
+
+bool ItemWorker::lets_axes_leave() const RT_SAFE {
+  return activity_ != Activity::brakes && activity_ != Activity::request && !probe_.is_on();
 }
 
 Wait ItemWorker::waits_for() const RT_SAFE {
@@ -266,6 +270,7 @@ void ItemWorker::end_run(RunResult result, std::uint64_t blocks) RT_SAFE {
 void ItemWorker::end_effects() RT_SAFE {
   coolant_ = {};
   parts_.switches.admit({});
+  parts_.switches.end_interlude();
   parts_.motion.interrupt_feed({});
   static_cast<void>(parts_.process.command(motion::ForceCommand{}));
   parts_.spindles.stop();

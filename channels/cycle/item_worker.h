@@ -57,6 +57,8 @@ class ItemWorker {
   [[nodiscard]] bool is_waiting() const RT_SAFE {
     return !is_idle() && activity_ != Activity::frame;
   }
+  // Nothing is under way that needs the axes where they are.
+  [[nodiscard]] bool lets_axes_leave() const RT_SAFE;
   [[nodiscard]] Wait waits_for() const RT_SAFE;
   // Of what took effect last: an item, or a block of the path. While nothing runs it has no line,
   // and the situation in which the channel stands.

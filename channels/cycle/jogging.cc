@@ -6,7 +6,22 @@
 namespace stanok::channels {
 namespace {
 
-std::string_view obstacle(const Channel& channel) RT_SAFE {
+// Of a jog: the one under way takes it up, or another one begins.
+enum class Course : std::uint8_t { begins, goes_on };
+
+// A held program lets its axes be moved away from the path, one move after the other, so that the
+// way back is known.
+std::string_view obstacle_in_hold(const Channel& channel, Course course) RT_SAFE {
+  const AxisMotion& motion = channel.motion;
+  if (!motion.path_is_at_rest()) return "E6070";
+  if (motion.is_in_thread() || !channel.items().lets_axes_leave()) return "E6099";
+  if (course == Course::goes_on) return {};
+  if (motion.manual().is_active()) return "E6056";
+  return motion.aside().is_full() ? "E6100" : "";
+}
+
+std::string_view obstacle(const Channel& channel, Course course) RT_SAFE {
+  if (channel.state().is_held()) return obstacle_in_hold(channel, course);
   if (channel.state().is_running() || channel.state().is_ending()) return "E6003";
   return channel.state().is_powered() ? "" : "E6006";
 }
@@ -32,13 +47,17 @@ std::string_view obstacle_of_line(const Channel& channel, const AxisArray<double
 }
 
 void note_motion(Channel& channel) RT_SAFE {
-  if (channel.motion.manual().is_active()) channel.run.apply(Change::hand_begins);
+  if (!channel.motion.manual().is_active()) return;
+  if (!channel.state().is_held()) return channel.run.apply(Change::hand_begins);
+  channel.motion.leave_path();
+  channel.run.apply(Change::path_left);
 }
 
 }  // namespace
 
 std::string_view jog(Channel& channel, const Jog& jog) RT_SAFE {
-  if (const auto code = obstacle(channel); !code.empty()) return code;
+  const Course course = channel.motion.manual().takes_up(jog) ? Course::goes_on : Course::begins;
+  if (const auto code = obstacle(channel, course); !code.empty()) return code;
   if (const auto code = obstacle_of_axis(channel, jog.axis); !code.empty()) return code;
   const double from = channel.motion.path().axes[jog.axis].value;
   const auto refused = channel.motion.manual().jog(jog, from, channel.drives.feedback(jog.axis));
@@ -47,7 +66,9 @@ std::string_view jog(Channel& channel, const Jog& jog) RT_SAFE {
 }
 
 std::string_view jog(Channel& channel, JogFrame frame, int coordinate, JogLine line) RT_SAFE {
-  if (const auto code = obstacle(channel); !code.empty()) return code;
+  const bool renews = line.increment == 0.0 && channel.motion.manual().jogs_along_line();
+  if (const auto code = obstacle(channel, renews ? Course::goes_on : Course::begins); !code.empty())
+    return code;
   AxisMotion& motion = channel.motion;
   const auto direction = jog_direction(frame, coordinate, motion.frame(), motion.axes_M());
   if (!direction) return "E6055";

@@ -8,6 +8,7 @@
 
 #include "base/rt_safe.h"
 #include "channels/axes/spindle_group.h"
+#include "channels/contract/operator_command.h"
 #include "channels/cycle/run_control.h"
 
 namespace stanok::channels {
@@ -25,6 +26,19 @@ class OperatorSwitches {
   void set_spindle_override(double factor) RT_SAFE;
   void set_optional_stop(bool on) RT_SAFE { optional_stop_ = on; }
   void set_block_skip(int level, bool on) RT_SAFE;
+  // Of a held program; both are on before it goes on, and when it ends.
+  void set_spindles(Switch to) RT_SAFE;
+  void set_coolant(Switch to) RT_SAFE { coolant_ = to; }
+  void end_interlude() RT_SAFE;
+  [[nodiscard]] bool spindles_are_off() const RT_SAFE { return spindle_rest_ == Rest::lasts; }
+  [[nodiscard]] bool spindles_turn_as_commanded() const RT_SAFE {
+    return spindle_rest_ == Rest::none;
+  }
+  [[nodiscard]] Switch coolant() const RT_SAFE { return coolant_; }
+  // The held program goes on, as soon as spindles that were off have their speed again.
+  void resume() RT_SAFE;
+  // Once a cycle.
+  void advance() RT_SAFE;
   void hold() RT_SAFE { run_.hold_by_operator(feed_stop()); }
 
   [[nodiscard]] double feed_override() const RT_SAFE { return feed_override_; }  // as it is set
@@ -36,6 +50,12 @@ class OperatorSwitches {
   [[nodiscard]] std::uint16_t block_skip() const RT_SAFE { return block_skip_; }  // bit n: level n
 
  private:
+  enum class Rest : std::uint8_t { none, lasts, ends };
+  struct AskedResume {
+    bool waits = false;            // for spindles
+    std::uint32_t hand_stops = 0;  // as it was asked: a later stop calls it off
+  };
+
   [[nodiscard]] FeedStop feed_stop() const RT_SAFE {
     return admitted_.feed_stop_enabled ? FeedStop::acts : FeedStop::waits;
   }
@@ -47,6 +67,9 @@ class OperatorSwitches {
   double feed_override_ = 1.0;
   double rapid_override_ = 1.0;
   double spindle_override_ = 1.0;
+  Rest spindle_rest_ = Rest::none;
+  AskedResume resume_;
+  Switch coolant_ = Switch::on;
   bool optional_stop_ = false;
   std::uint16_t block_skip_ = 0;
 };

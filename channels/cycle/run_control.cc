@@ -25,6 +25,7 @@ void RunControl::hold(HoldCause cause) RT_SAFE {
 }
 
 void RunControl::stop_by_hand() RT_SAFE {
+  ++hand_stops_;
   motion_.manual().stop();
   if (!motion_.manual().is_active()) state_.apply(Change::hand_ends);
 }

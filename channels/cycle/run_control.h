@@ -42,6 +42,8 @@ class RunControl {
   // What moves outside of programs is over with it.
   void hold_by_operator(FeedStop feed_stop) RT_SAFE;
   void resume() RT_SAFE;
+  // What moves outside of programs comes to rest.
+  void stop_by_hand() RT_SAFE;
   // An operator has asked for a hold that the program does not let act yet.
   [[nodiscard]] bool hold_waits() const RT_SAFE { return hold_waits_; }
   [[nodiscard]] HoldCause hold_cause() const RT_SAFE;
@@ -70,6 +72,8 @@ class RunControl {
   // True once, when the time for it has come.
   [[nodiscard]] bool takes_power_off() RT_SAFE;
 
+  // Counts what brings moves by hand to rest.
+  [[nodiscard]] std::uint32_t hand_stops() const RT_SAFE { return hand_stops_; }
   // Counts what ends all that was asked for before: stops, resets, faults.
   [[nodiscard]] std::uint32_t generation() const RT_SAFE { return generation_; }
   // For the path: it comes to rest; within a thread, too.
@@ -79,8 +83,6 @@ class RunControl {
   void show(ChannelOutput& output) const RT_SAFE;
 
  private:
-  void stop_by_hand() RT_SAFE;
-
   RunBook& runs_;
   ChannelLog& log_;
   AxisMotion& motion_;
@@ -95,6 +97,7 @@ class RunControl {
   bool alarm_stays_ = false;  // after the end under way
   bool power_off_wanted_ = false;
   std::uint32_t generation_ = 0;
+  std::uint32_t hand_stops_ = 0;
 };
 
 }  // namespace stanok::channels

@@ -17,7 +17,8 @@ constexpr SituationSet on_at_rest = set_of(Situation::idle, Situation::ready);
 constexpr SituationSet busy = set_of(Situation::running, Situation::held);
 constexpr SituationSet stopped = set_of(Situation::alarm, Situation::fault);
 constexpr SituationSet beside = set_of(Situation::by_hand, Situation::switching);
-constexpr SituationSet any_but_ending = at_rest | busy | stopped | beside;
+constexpr SituationSet any_but_ending =
+    at_rest | busy | stopped | beside | set_of(Situation::aside);
 
 constexpr auto table = std::to_array<Transition>({
     {Change::power_on, at_rest, Aim::rest},
@@ -28,6 +29,8 @@ constexpr auto table = std::to_array<Transition>({
     {Change::run_begins, on_at_rest, Aim::running},
     {Change::held, busy, Aim::held},
     {Change::resumed, set_of(Situation::held), Aim::running},
+    {Change::path_left, set_of(Situation::held), Aim::aside},
+    {Change::path_joined, set_of(Situation::aside), Aim::held},
     {Change::run_ends, busy, Aim::rest},
     {Change::alarm, any_but_ending, Aim::alarm},
     {Change::ending_begins, any_but_ending, Aim::ending},
@@ -53,6 +56,8 @@ std::string_view name_of(Change change) {
                           {Change::run_begins, "run_begins"},
                           {Change::held, "held"},
                           {Change::resumed, "resumed"},
+                          {Change::path_left, "path_left"},
+                          {Change::path_joined, "path_joined"},
                           {Change::run_ends, "run_ends"},
                           {Change::alarm, "alarm"},
                           {Change::ending_begins, "ending_begins"},
@@ -69,6 +74,7 @@ std::string_view name_of(Aim aim) {
   static constexpr auto names = enum_names<Aim>({{Aim::rest, "rest"},
                                                  {Aim::running, "running"},
                                                  {Aim::held, "held"},
+                                                 {Aim::aside, "aside"},
                                                  {Aim::alarm, "alarm"},
                                                  {Aim::ending, "ending"},
                                                  {Aim::by_hand, "by hand"},
@@ -115,6 +121,7 @@ ChannelState RunState::state() const RT_SAFE {
     case Situation::running:
       return ChannelState::running;
     case Situation::held:
+    case Situation::aside:
       return ChannelState::held;
     case Situation::alarm:
     case Situation::fault:
@@ -133,6 +140,8 @@ Situation RunState::reached(Aim aim) const RT_SAFE {
       return Situation::running;
     case Aim::held:
       return Situation::held;
+    case Aim::aside:
+      return Situation::aside;
     case Aim::alarm:
       return is_powered_ ? Situation::alarm : Situation::fault;
     case Aim::ending:

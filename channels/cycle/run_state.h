@@ -24,6 +24,8 @@ enum class Change : std::uint8_t {
   run_begins,
   held,
   resumed,
+  path_left,  // axes are moved away from it by hand
+  path_joined,
   run_ends,
   alarm,  // of a program or a fault; it stays until a reset
   ending_begins,
@@ -36,7 +38,7 @@ enum class Change : std::uint8_t {
 };
 
 // Where a change leads. rest and alarm are two or three situations, by power and program.
-enum class Aim : std::uint8_t { rest, running, held, alarm, ending, by_hand, switching };
+enum class Aim : std::uint8_t { rest, running, held, aside, alarm, ending, by_hand, switching };
 
 using SituationSet = std::uint16_t;  // bit k: the situation with the number k
 
@@ -60,6 +62,10 @@ class RunState {
   [[nodiscard]] ChannelState shown() const RT_SAFE { return shown_; }
   [[nodiscard]] bool is_powered() const RT_SAFE { return is_powered_; }
   [[nodiscard]] bool has_program() const RT_SAFE { return has_program_; }
+  // Of a run: it is held, whether its axes are on the path or not.
+  [[nodiscard]] bool is_held() const RT_SAFE {
+    return situation_ == Situation::held || situation_ == Situation::aside;
+  }
   // A run is under way: running, held, or coming to its end.
   [[nodiscard]] bool is_running() const RT_SAFE { return is_running_; }
   [[nodiscard]] bool is_ending() const RT_SAFE { return situation_ == Situation::ending; }

@@ -151,6 +151,9 @@ struct Search {
 struct Home {
   ShortText axis;  // empty: all
 };
+struct ProgramReturn {
+  double velocity = 0.0;  // along the way; 0: that of each axis's search
+};
 
 }  // namespace requests
 
@@ -167,7 +170,7 @@ using Request = std::variant<
     requests::MachineValueRead, requests::AnalogRead, requests::InputWait,
     requests::SharedNumberRead, requests::SharedNumberWrite, requests::SharedNumberCombine,
     requests::SharedTextRead, requests::SharedTextWrite, requests::SharedTextAppend,
-    requests::LineRun, requests::Search, requests::Home>;
+    requests::LineRun, requests::Search, requests::Home, requests::ProgramReturn>;
 static_assert(std::is_trivially_copyable_v<Request>);
 
 }  // namespace stanok::channels

@@ -97,6 +97,10 @@ class Interpolator {
   void drop_path(PathQueue& queue) RT_SAFE;
 
   [[nodiscard]] bool at_rest() const RT_SAFE;
+  // A spindle leads the current chain, whether the axes follow it yet or not.
+  [[nodiscard]] bool is_synchronous() const RT_SAFE {
+    return cursor_.has_chunk() && cursor_.chunk().coupling.kind != SpindleCoupling::Kind::none;
+  }
 
  private:
   [[nodiscard]] bool may_enter(const PathQueue& queue, const FeedControl& control,
@@ -105,9 +109,6 @@ class Interpolator {
   // left of it.
   [[nodiscard]] double run(PathQueue& queue, const FeedControl& control, double time) RT_SAFE;
   void enter(PathQueue& queue) RT_SAFE;
-  [[nodiscard]] bool is_synchronous() const RT_SAFE {
-    return cursor_.has_chunk() && cursor_.chunk().coupling.kind != SpindleCoupling::Kind::none;
-  }
   double follow_spindle(PathQueue& queue, const FeedControl& control) RT_SAFE;
   [[nodiscard]] bool has_run_chunk() const RT_SAFE;
   [[nodiscard]] bool knows_next(const PathQueue& queue) const RT_SAFE;

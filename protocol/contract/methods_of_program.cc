@@ -68,6 +68,18 @@ constexpr Parameter restore{.name = "restore",
 
 constexpr std::array of_start{channel, wait, approach, restore, seen_situation, seen_cycle};
 constexpr std::array of_switch{on_or_off, channel};
+constexpr std::array of_work{on_or_off, channel, seen_cycle};
+constexpr Parameter return_velocity{
+    .name = "velocity",
+    .type = ParameterType::number,
+    .carries = Carries::value,
+    .unit = "mm/s, deg/s",
+    .minimum = 0,
+    .maximum = velocity_limit,
+    .help =
+        "velocity along the way back; default: that with which the slowest axis searches its "
+        "home switch"};
+constexpr std::array of_return{return_velocity, channel, seen_cycle};
 constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_search{search_target, search_pass, search_calculation, channel};
 constexpr std::array of_feed{percent(0, 200), channel, seen_cycle};
@@ -110,6 +122,28 @@ constexpr auto program_rows = std::to_array<Method>({
      .action = "program_resume",
      .parameters = of_motion,
      .help = "continue after a feed hold"},
+    {.name = "program.return",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .course = Course::moves_axes,
+     .action = "program_return",
+     .parameters = of_return,
+     .help = "move axes that were jogged away from a held program back to its path, the way that "
+             "they came; first spindles and coolant are as the program left them"},
+    {.name = "program.spindles",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .action = "spindle_switch",
+     .parameters = of_work,
+     .help = "stop the spindles of a held program, or let them turn again; they turn before the "
+             "program continues"},
+    {.name = "program.coolant",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .action = "coolant_switch",
+     .parameters = of_work,
+     .help = "switch the coolant of a held program off, or on again; it is on before the program "
+             "continues"},
     {.name = "program.stop",
      .role = machine_operator,
      .effect = Effect::stops,

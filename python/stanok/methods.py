@@ -14,8 +14,8 @@ STOPS = frozenset({
     "machine.off", "machine.estop", "program.hold", "program.stop", "program.reset",
 })
 MOVES = frozenset({
-    "machine.on", "program.run", "program.start", "program.resume", "queue.start", "kinematics.select",
-    "mdi", "jog", "home",
+    "machine.on", "program.run", "program.start", "program.resume", "program.return",
+    "program.spindles", "program.coolant", "queue.start", "kinematics.select", "mdi", "jog", "home",
 })
 
 
@@ -348,6 +348,53 @@ class ProgramMethods:
                 ago.
         """
         return self._call("program.resume", _given(channel=channel, seen_cycle=seen_cycle))
+
+    def return_(
+        self,
+        *,
+        velocity: float | None = None,
+        channel: int | None = None,
+        seen_cycle: int | None = None,
+    ) -> dict[str, Any]:
+        """Move axes that were jogged away from a held program back to its path, the way that they came; first
+        spindles and coolant are as the program left them.
+
+        ``program.return``, for the role operator.
+
+        Args:
+            velocity: velocity along the way back; default: that with which the slowest axis searches its
+                home switch; 0 to 100000 mm/s, deg/s.
+            channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
+        """
+        return self._call("program.return", _given(velocity=velocity, channel=channel, seen_cycle=seen_cycle))
+
+    def spindles(self, on: int, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
+        """Stop the spindles of a held program, or let them turn again; they turn before the program continues.
+
+        ``program.spindles``, for the role operator.
+
+        Args:
+            on: 1: on; 0: off; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
+        """
+        return self._call("program.spindles", _given(on=on, channel=channel, seen_cycle=seen_cycle))
+
+    def coolant(self, on: int, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
+        """Switch the coolant of a held program off, or on again; it is on before the program continues.
+
+        ``program.coolant``, for the role operator.
+
+        Args:
+            on: 1: on; 0: off; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
+        """
+        return self._call("program.coolant", _given(on=on, channel=channel, seen_cycle=seen_cycle))
 
     def stop(self, *, channel: int | None = None) -> dict[str, Any]:
         """Hold the feed, then end the program without an alarm.

@@ -56,6 +56,13 @@ class Scene {
         bench.demand("program.hold");
         bench.cycles(500);
         break;
+      case Situation::aside:
+        run("long.nc");
+        bench.demand("program.hold");
+        bench.cycles(500);
+        bench.demand("jog", {{"axis", "Z"}, {"velocity", 5.0}, {"increment", 1.0}});
+        bench.cycles(1000);
+        break;
       case Situation::alarm:
         run("wrong.nc");
         break;
@@ -209,6 +216,7 @@ TEST(CommandTableScenes, LookLikeTheirNames) {
   Scene(Situation::by_hand).expect_state(ChannelState::idle, true, true);
   Scene(Situation::running).expect_state(ChannelState::running, true, true);
   Scene(Situation::held).expect_state(ChannelState::held, false, true);
+  Scene(Situation::aside).expect_state(ChannelState::held, false, true);
   Scene(Situation::alarm).expect_state(ChannelState::alarm, false, true);
   Scene(Situation::fault).expect_state(ChannelState::alarm, false, false);
   EXPECT_TRUE(Scene(Situation::ending).bench.channel(1).moving);

@@ -65,5 +65,38 @@ TEST_F(JogFrom, TheEndOfTheTravelGoesInwardsOnly) {
   EXPECT_EQ(end(100.0), 95.0);
 }
 
+// The clicks of a handwheel: however fast they come, the axis ends where they add up to.
+TEST_F(JogFrom, IncrementsAddUp) {
+  EXPECT_EQ(jog(0.0, 10.0, 0.1), "");
+  for (int n = 0; n < 4; ++n) EXPECT_EQ(jog(0.0, 10.0, 0.1), "");
+  EXPECT_EQ(end(0.0), 0.1 + 0.4);
+  EXPECT_EQ(jog(0.5, 10.0, 3.0), "");
+  EXPECT_EQ(jog(0.5, -10.0, 5.0), "");
+  EXPECT_EQ(jog(0.5, -10.0, 1.0), "");
+  EXPECT_NEAR(end(0.5), -2.5, 1e-12);
+}
+
+TEST_F(JogFrom, IncrementsAddUpToTheEndOfTheTravel) {
+  EXPECT_EQ(jog(90.0, 10.0, 6.0), "");
+  EXPECT_EQ(jog(90.0, 10.0, 4.0), "");
+  EXPECT_EQ(jog(90.0, 10.0, 0.001), "E6053");
+  EXPECT_EQ(end(90.0), 100.0);
+}
+
+// Nothing is left of them.
+TEST_F(JogFrom, AStopEndsAllIncrements) {
+  EXPECT_EQ(jog(0.0, 10.0, 5.0), "");
+  EXPECT_EQ(jog(0.0, 10.0, 5.0), "");
+  manual.stop();
+  EXPECT_LT(end(0.0), 1.0);
+  EXPECT_EQ(jog(0.0, 10.0, 5.0), "");
+}
+
+// With the other direction, or while it is renewed, a jog is another one.
+TEST_F(JogFrom, AnIncrementDoesNotJoinAJogThatIsHeld) {
+  EXPECT_EQ(jog(0.0, 10.0), "");
+  EXPECT_EQ(jog(0.0, 10.0, 1.0), "E6056");
+}
+
 }  // namespace
 }  // namespace stanok::channels

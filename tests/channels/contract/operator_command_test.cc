@@ -61,6 +61,9 @@ std::vector<Recorded> all_commands() {
       {ChannelControl{41}, 28, "channel_control", 41},
       {OffsetTouch{text, 12.5, 3}, 29, "offset_touch", 3, 12.5, 0.0, "G54 X"},
       {ToolTouch{ShortText("length"), -4.0, 7, 2}, 30, "tool_touch", 7, -4.0, 2.0, "length"},
+      {ProgramReturn{12.5}, 31, "program_return", 0, 12.5},
+      {SpindleSwitch{Switch::on}, 32, "spindle_switch", 1},
+      {CoolantSwitch{Switch::on}, 33, "coolant_switch", 1},
   };
 }
 
@@ -109,7 +112,7 @@ TEST(OperatorCommandTest, FieldsThatAreNotGivenStayEmpty) {
 }
 
 TEST(OperatorCommandTest, WhatNoCommandHasIsNone) {
-  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(31)}));
+  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(34)}));
   EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(255)}));
   EXPECT_FALSE(
       command_of({.action = OperatorAction::process_automatic, .text = ShortText("other")}));
