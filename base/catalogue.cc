@@ -514,6 +514,8 @@ constexpr auto further_warnings = std::to_array<CatalogueRow>({
      "find out what stopped the computer: a debugger, sleep mode, or the migration of a virtual "
      "machine",
      "check the positions of the axes, then resume the program"},
+    {"W733", "a jog stopped: the probe touched something", Reaction::warning,
+     "jog back, away from what the probe touches", "the axes can be jogged again"},
     {"W810", "the feed is above what the axes can do", Reaction::warning,
      "the text names the block and the limit; the path runs as fast as the axes can",
      "no action is needed"},

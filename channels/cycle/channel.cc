@@ -52,6 +52,7 @@ void Channel::advance(std::int64_t cycle, Period period) RT_SAFE {
   marks.begin_cycle();
   if (period == Period::present) work_items();
   spindles.observe();
+  stop_where_probe_meets_something();
   switches.advance();
   move();
   follow_thread();
@@ -66,6 +67,15 @@ void Channel::advance(std::int64_t cycle, Period period) RT_SAFE {
   if (std::exchange(link.has_lost_notice, false))
     run.fault({{"A9001"}, {"the preparation of the channel has not accepted a message"}});
   if (run.takes_power_off()) power(Power::off);
+}
+
+// A move by hand is stopped, a program fails.
+void Channel::stop_where_probe_meets_something() RT_SAFE {
+  if (state().is_ending() || !items_.probe().meets_something()) return;
+  constexpr std::string_view text = "the probe has met something in a move that does not probe";
+  if (!motion.manual().is_active()) return run.fail("E4326", text, items_.current_tag());
+  run.stop_by_hand();
+  log.tell("W733", text, items_.current_tag());
 }
 
 void Channel::work_items() RT_SAFE {

@@ -73,6 +73,7 @@ class Channel : public CycleParts {
   void continue_reset() RT_SAFE;
   void remove_power_when_it_lasts() RT_SAFE;
   void forget_path() RT_SAFE;
+  void stop_where_probe_meets_something() RT_SAFE;
   void take_step() RT_SAFE;
   void move() RT_SAFE;
   [[nodiscard]] motion::FeedControl feed_control() RT_SAFE;

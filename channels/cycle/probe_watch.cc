@@ -1,5 +1,7 @@
 #include "channels/cycle/probe_watch.h"
 
+#include <algorithm>
+
 namespace stanok::channels {
 
 bool ProbeWatch::begin(const ProbeBegin& probe) RT_SAFE {
@@ -9,6 +11,21 @@ bool ProbeWatch::begin(const ProbeBegin& probe) RT_SAFE {
   move_.until_contact = probe.until_contact;
   move_.ends_path = inputs_.is_on(move_.input) == move_.until_contact;
   return !move_.ends_path;
+}
+
+void ProbeWatch::see_tool(AtWork tool) RT_SAFE {
+  constexpr int bounce_cycles = 50;
+  if (tool != AtWork::probe || input_ < 0) {
+    contact_ = {};
+    return;
+  }
+  const bool touches = inputs_.is_on(input_);
+  contact_.has_closed = touches && contact_.cycles_open >= bounce_cycles;
+  contact_.cycles_open = touches ? 0 : std::min(contact_.cycles_open + 1, bounce_cycles);
+}
+
+bool ProbeWatch::meets_something() const RT_SAFE {
+  return contact_.has_closed && !move_.is_on && !motion_.is_standing();
 }
 
 void ProbeWatch::advance(ChannelLink& link) RT_SAFE {

@@ -13,15 +13,22 @@
 
 namespace stanok::channels {
 
+enum class AtWork : std::uint8_t { probe, other };
+
 class ProbeWatch {
  public:
-  // All outlive the watch.
-  ProbeWatch(const Signals& inputs, const DriveGuard& drives, AxisMotion& motion)
-      : inputs_(inputs), drives_(drives), motion_(motion) {}
+  // `input`: on while the probe of the channel touches; -1: it has none. All others outlive the
+  // watch.
+  ProbeWatch(int input, const Signals& inputs, const DriveGuard& drives, AxisMotion& motion)
+      : input_(input), inputs_(inputs), drives_(drives), motion_(motion) {}
 
   // False: the probe stands already as it should come to stand, which tells nothing about where to
   // go; the move is given up.
   [[nodiscard]] bool begin(const ProbeBegin& probe) RT_SAFE;
+  // Once a cycle: what is at work.
+  void see_tool(AtWork tool) RT_SAFE;
+  // It has begun to touch while axes move for another reason than to find something.
+  [[nodiscard]] bool meets_something() const RT_SAFE;
   // Once a cycle, before the path goes on.
   void advance(ChannelLink& link) RT_SAFE;
   [[nodiscard]] bool is_on() const RT_SAFE { return move_.is_on; }
@@ -41,10 +48,18 @@ class ProbeWatch {
     motion::Point axes_M{};  // where the axes stood when it changed, mm or deg
   };
 
+  // The contact of a probe that is at work; it bounces when it opens.
+  struct Contact {
+    bool has_closed = false;  // in this cycle
+    int cycles_open = 0;
+  };
+
+  int input_;
   const Signals& inputs_;
   const DriveGuard& drives_;
   AxisMotion& motion_;
   Move move_;
+  Contact contact_;
 };
 
 }  // namespace stanok::channels

@@ -58,6 +58,7 @@ ChannelConstants channel_constants(const MachineConfig& machine, const ChannelCo
   constants.axis_count = static_cast<int>(channel.axes.size());
   constants.cycle_s = machine.cycle_us * 1e-6;
   constants.stop_cycles_max = stop_cycles_max(machine, channel);
+  constants.probe_input = channel.probe_input;
   constants.stops_go_on = options.stops_go_on;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[channel.axes[k]];
@@ -273,6 +274,8 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
   for (const auto& seat : parts.seats) {
     seat->channel.watch_drives(inputs.feedback);
     seat->channel.sense(parts.watch.sensors());
+    const bool is_probe = seat->row_at_work.row().kind.view() == "probe";
+    seat->channel.items().probe().see_tool(is_probe ? AtWork::probe : AtWork::other);
     seat->channel.advance(parts.cycle, period);
   }
   parts.coordinator->step();

@@ -132,6 +132,8 @@ class RowAtWork {
     writes_ = writes;
     return row_;
   }
+  // What `of` gave last.
+  [[nodiscard]] const ToolRow& row() const RT_SAFE { return row_; }
 
  private:
   ToolRow row_;

@@ -49,6 +49,87 @@ class Touching {
   double acceleration_ = 0.0;
 };
 
+MachineConfig mill_with_probe_in_table() {
+  MachineConfig config = mill_with_probe();
+  ToolEdge tool;
+  tool.number = 9;
+  tool.kind = "probe";
+  tool.radius = 2.0;
+  config.tables.tools.push_back(tool);
+  tool.number = 1;
+  tool.kind = "flat";
+  config.tables.tools.push_back(tool);
+  return config;
+}
+
+// By rapid, at feed, on an arc: the axes stop on their path, within what they need for it.
+TEST(Probing, AMoveThatDoesNotProbeStopsWhereTheProbeMeetsSomething) {
+  for (const char* const move : {"G0 Z-40", "G1 Z-40 F3000", "G18 G2 X40 Z-40 R40 F3000"}) {
+    SCOPED_TRACE(move);
+    MachineBench bench(mill_with_probe_in_table());
+    bench.program("p.nc", std::string("T9 M6\nG0 Z10\n") + move + "\nM30\n");
+    bench.run(1, "p.nc");
+    Touching touching(bench, -10.0);
+    bench.run_to_end([&](const CycleOutput& output) { touching(output); });
+    EXPECT_THAT(bench.alarm_codes(), ElementsAre("E4326"));
+    EXPECT_GT(touching.lowest(), -30.0);
+  }
+}
+
+TEST(Probing, OtherToolsAndProbingMovesAreNotStopped) {
+  for (const char* const program :
+       {"T1 M6\nG1 Z-20 F1000\nG0 Z10\nM30\n", "T9 M6\nG38.2 Z-20 F300\nG0 Z10\nM30\n"}) {
+    SCOPED_TRACE(program);
+    MachineBench bench(mill_with_probe_in_table());
+    bench.program("p.nc", program);
+    bench.run(1, "p.nc");
+    Touching touching(bench, -10.0);
+    bench.run_to_end([&](const CycleOutput& output) { touching(output); });
+    EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  }
+}
+
+// A contact that opens bounces.
+TEST(Probing, TheWayBackFromATouchIsFreeThoughTheContactBounces) {
+  MachineBench bench(mill_with_probe_in_table());
+  bench.program("p.nc", "T9 M6\nG38.2 Z-20 F300\nG0 Z10\nM30\n");
+  bench.run(1, "p.nc");
+  Touching touching(bench, -10.0);
+  int cycles = 0;
+  bool has_touched = false;
+  bench.run_to_end([&](const CycleOutput& output) {
+    touching(output);
+    const double z = output.channels[0].axes[2].position;
+    has_touched = has_touched || z <= -10.0;
+    if (!has_touched || z <= -10.0 || z > -9.5) return;
+    Signals inputs;
+    inputs.set(probe, ++cycles % 7 < 3);
+    bench.inputs(inputs);
+  });
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_GT(cycles, 20);
+}
+
+// The machine stands; the next jog is free.
+TEST(Probing, AJogStopsWhereTheProbeMeetsSomething) {
+  MachineBench bench(mill_with_probe_in_table());
+  bench.ask(OperatorAction::mdi, 1, "T9 M6");
+  bench.run_to_end();
+  Touching touching(bench, -10.0);
+  OperatorEvent event;
+  event.channel = 1;
+  event.command = commands::Jog{.axis = ShortText("Z"), .velocity = -20.0, .increment = 40.0};
+  bench.ask(event);
+  bench.run_to_end([&](const CycleOutput& output) { touching(output); });
+  EXPECT_GT(touching.lowest(), -12.0);
+  EXPECT_THAT(bench.event_codes(), ::testing::Contains("W733"));
+  EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  event.command = commands::Jog{.axis = ShortText("Z"), .velocity = 20.0, .increment = 5.0};
+  bench.ask(event);
+  bench.run_to_end();
+  EXPECT_GT(bench.channel(1).axes[2].position, -8.0);
+}
+
 // The moves behind the probing one go to places made of what it found: they are what is measured.
 TEST(Probing, FindsTheSurfaceInTheFrameOfTheProgramAndGoesOnFromWhereItStopped) {
   std::mt19937_64 random(5);

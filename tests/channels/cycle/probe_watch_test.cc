@@ -19,7 +19,7 @@ class ProbeWatchTest : public ::testing::Test {
   }
 
   CycleBench bench_;
-  ProbeWatch probe_{bench_.inputs, bench_.parts.drives, bench_.parts.motion};
+  ProbeWatch probe_{-1, bench_.inputs, bench_.parts.drives, bench_.parts.motion};
 };
 
 TEST_F(ProbeWatchTest, EndsThePathWhereTheProbeTouches) {

@@ -86,7 +86,8 @@ TEST(SimulatedProbe, TellsOfAProbeThatMeetsThePartAtRapid) {
       [](int, const std::string& code, const std::string& text) {
         ADD_FAILURE() << code << " " << text;
       });
-  bench.run_to_end(block_of_forty + "G0 Z20\nX3 Y2 Z2\nG38.2 Z-2\nG0 Z20\nG0 Z-1\nG0 Z20\nM30\n");
+  bench.run(block_of_forty + "G0 Z20\nX3 Y2 Z2\nG38.2 Z-2\nG0 Z20\nG0 Z-1\nG0 Z20\nM30\n");
+  EXPECT_THAT(bench.alarms, ElementsAre("E4326"));
   const auto& workpieces = bench.options.workpieces->feeds()[0]->follower().workpieces();
   ASSERT_EQ(workpieces.size(), 1U);
   const auto findings = workpieces[0]->report().findings();
