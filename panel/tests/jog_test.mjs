@@ -1,6 +1,8 @@
 // Moving by hand: lines, jogging by button, key and step, and everything that must end a jog: letting
 // go, Escape, lost focus, a killed tab, a server that hangs.
 import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, before } from 'node:test';
 import { setStage, storyOf, until } from './stage.mjs';
 
@@ -354,6 +356,40 @@ test('one hand on a touch screen: an axis moves while a finger is down, and on n
   }
   // Nothing was scrolled under the thumb.
   assert.equal((await button.boundingBox()).y, box.y);
+  await other.context().close();
+});
+
+// What a machinist does with a broken insert.
+test('in a held program the axes are moved away and come back', async () => {
+  writeFileSync(join(stage.programs, 'cut.nc'), 'M3 S1000\nG91 G1 X200 F600\nM30\n');
+  await stage.client.call('program.run', { program: 'cut.nc', channel: 1 });
+  await until('it cuts', async () => (await stage.status()).speed_mm_s > 5);
+  const other = await stage.openMachine();
+  const card = other.getByRole('article', { name: '1 work' });
+  await card.getByRole('button', { name: 'Hold', exact: true }).click();
+  await until('it is held', async () => {
+    const { held_by: by, speed_mm_s: speed } = await stage.status();
+    return by !== null && speed === 0;
+  });
+  const turning = async () => (await stage.status()).spindles[0].commanded_rev_min;
+  await card.getByRole('button', { name: 'Stop spindle' }).click();
+  await until('the spindle stands', async () => (await turning()) === 0);
+  const [x, z] = [await at('X'), await at('Z')];
+  await other.getByRole('button', { name: 'Arm' }).click();
+  const steps = other.getByRole('group', { name: 'Distance' });
+  await steps.getByRole('button', { name: '1', exact: true }).click();
+  await other.getByRole('button', { name: 'move Z +' }).click();
+  await until('it is away', async () => (await at('Z')) === z + 1);
+  await card.getByText('The axes have been moved away').waitFor();
+  assert.equal(await card.getByRole('button', { name: 'Resume' }).count(), 0);
+  await card.getByRole('button', { name: 'Return to path' }).click();
+  await card.getByRole('button', { name: 'Resume' }).waitFor();
+  assert.deepEqual([await at('X'), await at('Z')], [x, z]);
+  assert.equal(await turning(), 1000);
+  await card.getByRole('button', { name: 'Resume' }).click();
+  await until('it cuts on', async () => (await at()) > x);
+  await card.getByRole('button', { name: 'Stop', exact: true }).click();
+  await until('it is over', async () => (await stage.client.call('machine.status')).idle);
   await other.context().close();
 });
 

@@ -126,6 +126,7 @@ export interface Methods {
         remedy: string | null;
         text: string;
       } | null;
+      aside: boolean;
       axes: Record<string, {
         brake: boolean;
         enabled: boolean;
@@ -139,6 +140,7 @@ export interface Methods {
       block_skip: number[];
       controlled_by: string | null;
       coolant: string[];
+      coolant_off: boolean;
       cycle: number;
       diameter: string[];
       feed_mm_min: number;
@@ -202,6 +204,7 @@ export interface Methods {
         id: number;
         power_w: number | null;
       })[];
+      spindles_off: boolean;
       state: string;
       to_go: Record<string, number> | null;
       tool: {
@@ -511,6 +514,39 @@ export interface Methods {
   /** continue after a feed hold */
   "program.resume": {
     params: {
+      channel?: number;
+      seen_cycle?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** move axes that were jogged away from a held program back to its path, the way that they came; first spindles and coolant are as the program left them */
+  "program.return": {
+    params: {
+      velocity?: number;
+      channel?: number;
+      seen_cycle?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** stop the spindles of a held program, or let them turn again; they turn before the program continues */
+  "program.spindles": {
+    params: {
+      on: number;
+      channel?: number;
+      seen_cycle?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** switch the coolant of a held program off, or on again; it is on before the program continues */
+  "program.coolant": {
+    params: {
+      on: number;
       channel?: number;
       seen_cycle?: number;
     };
@@ -1676,6 +1712,9 @@ export const method_roles: Record<MethodName, string> = {
   "program.start": 'operator',
   "program.hold": 'operator',
   "program.resume": 'operator',
+  "program.return": 'operator',
+  "program.spindles": 'operator',
+  "program.coolant": 'operator',
   "program.stop": 'operator',
   "program.reset": 'operator',
   "program.optional_stop": 'operator',
@@ -1754,6 +1793,9 @@ export const aged_methods: readonly string[] = [
   'program.run',
   'program.start',
   'program.resume',
+  'program.return',
+  'program.spindles',
+  'program.coolant',
   'override.feed',
   'override.rapid',
   'queue.start',
