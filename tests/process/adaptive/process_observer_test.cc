@@ -302,5 +302,64 @@ TEST(ProcessObserver, NoiseOnlyLimitsHowFastTheFeedRisesFullSize) {
   expect_climbs_in_time(300);
 }
 
+// Whether the program gives the depth of its passes.
+enum class Depth : std::uint8_t { given, unknown };
+
+// Six passes of different depth and hardness with air between, each of 40 s at the feed of the set
+// force; seconds in the cut.
+double part_s(const TurningScene& scene, const ForceControlConfig& config, unsigned seed,
+              Depth depth) {
+  Chance chance(seed);
+  PlantBench bench(config, scene, seed);
+  if (depth == Depth::given) bench.give_depth(depth_mm);
+  bench.begin(set_n, feed_for(scene, set_n, depth_mm) * chance.between(0.5, 1.0));
+  double seconds = 0.0;
+  for (int pass = 0; pass < 6; ++pass) {
+    const double next_mm = chance.between(1.5, 2.5);
+    const double turns_per_s = scene.rev_per_min / 60.0;
+    double left_mm = feed_for(scene, set_n, next_mm) * turns_per_s * 40.0;
+    bench.plant.depth_mm = 0.0;
+    if (depth == Depth::given) bench.give_depth(next_mm);
+    bench.run(1.0);
+    bench.plant.depth_mm = next_mm;
+    bench.plant.hardness = chance.between(0.95, 1.05);
+    for (; left_mm > 0.0 && seconds < 3600.0; seconds += 0.001) {
+      bench.cycle();
+      left_mm -= bench.feed_per_rev() * turns_per_s * 0.001;
+    }
+  }
+  EXPECT_FALSE(bench.is_fault());
+  return seconds;
+}
+
+// Against one with hardly any noise: one that never changes would be frozen.
+void expect_part_in_time(unsigned seeds) {
+  double worst = 0.0;
+  for (const Depth depth : {Depth::given, Depth::unknown}) {
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
+      SCOPED_TRACE("seed " + std::to_string(seed));
+      Chance chance(seed);
+      const TurningScene scene = lathe(chance, 0.01);
+      const ForceControlConfig config = knowledge(chance, scene);
+      TurningScene perfect = scene;
+      perfect.noise = 0.0005;
+      perfect.count_w = 0.1;
+      perfect.correlation_s = 0.0;
+      const double part = part_s(scene, config, seed, depth) / part_s(perfect, config, seed, depth);
+      EXPECT_LE(part, 1.10);
+      worst = std::max(worst, part);
+    }
+  }
+  ::testing::Test::RecordProperty("worst", std::to_string(worst));
+}
+
+TEST(ProcessObserver, APartTakesHardlyLongerThanWithAPerfectSensor) {
+  expect_part_in_time(stanok::testing::cases(10U));
+}
+
+TEST(ProcessObserver, APartTakesHardlyLongerThanWithAPerfectSensorFullSize) {
+  expect_part_in_time(300);
+}
+
 }  // namespace
 }  // namespace stanok::process
