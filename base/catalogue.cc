@@ -487,8 +487,9 @@ constexpr auto further_warnings = std::to_array<CatalogueRow>({
      "and S_max in process status; air_time of [process] is the longest air cut",
      "the feed continues; hold it if the tool may be broken"},
     {"W616", "the feed is limited because the cut became lighter than expected", Reaction::warning,
-     "if the cut is meant to become that much lighter, set lighter_max of [process]; otherwise "
-     "check the gain of the power sensor",
+     "if the cut is meant to become that much lighter, give its depth (#adaptive (depth, t)) or "
+     "set "
+     "lighter_max of [process]; otherwise check the gain of the power sensor",
      "the feed stays at the value that lighter_max allows"},
     {"W710", "a program is not included", Reaction::warning,
      "#include it so that it is checked when this program is loaded", "no action is needed"},
