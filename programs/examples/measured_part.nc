@@ -38,7 +38,7 @@ void cut_pockets () {
 }
 
 void probe_in () {
-  G0 Z50
+  G53 G0 Z200
   T9 M6
   G43
   G0 Z20
