@@ -70,7 +70,7 @@ TEST(SimulatedProbe, CutsNothingAndIsNotSwitchedByOtherTools) {
   bench.run(
       "#workpiece (0, 0.1, 0, 40, 30, 10, 20, 15, 10)\nT2 M6\nG43\nS3000 M3\nF600\n"
       "G0 X0 Y0 Z5\nG38.3 Z-2\nmsg (\"mill=\" + str ($probe_ok ? 1 : 0));\n"
-      "G0 Z50\nT9 M6\nG43\nG0 X10 Y10 Z5\nG1 Z-1 F1000\nG0 Z5\n"
+      "G0 Z50\nT9 M6\nG43\nG0 X10 Y10 Z5\n"
       "G38.2 Z-5 F60\nmsg (\"z=\" + str ($probe[Z], 6));\nM30\n");
   EXPECT_THAT(bench.alarms, IsEmpty());
   EXPECT_EQ(bench.found("mill"), 0.0);
