@@ -40,11 +40,15 @@ interface Press {
   sent: number;
   answered: number;
   isTold: boolean;
+  isReleased: boolean;
 }
+
+/** A stop that was given later came before it. */
+const overtakenByStop = 'E6072';
 
 export class JogLease {
   #motion: JogMotion | null = null;
-  #press: Press = { sent: 0, answered: 0, isTold: false };
+  #press: Press = { sent: 0, answered: 0, isTold: false, isReleased: false };
   #timer: ReturnType<typeof setInterval> | null = null;
   #sentAt = 0;
 
@@ -61,7 +65,7 @@ export class JogLease {
     this.release();
     if (!this.port.mayGoOn()) return;
     this.#motion = motion;
-    this.#press = { sent: 0, answered: 0, isTold: false };
+    this.#press = { sent: 0, answered: 0, isTold: false, isReleased: false };
     this.changed(motion);
     this.#send();
     this.#timer = setInterval(() => this.#renew(), renewal_ms);
@@ -69,6 +73,7 @@ export class JogLease {
 
   release(): void {
     const motion = this.#end();
+    this.#press.isReleased = true;
     if (motion !== null) this.port.hold(motion.channel).catch(() => undefined);
   }
 
@@ -107,7 +112,9 @@ export class JogLease {
 
   // Also when it has been let go meanwhile: a short press may be over before its refusal comes.
   #tell(press: Press, error: unknown): void {
-    if (press.isTold) return;
+    const isOwnStop =
+      press.isReleased && error instanceof Refusal && error.data.code === overtakenByStop;
+    if (press.isTold || isOwnStop) return;
     press.isTold = true;
     this.port.refused(error);
   }

@@ -1,7 +1,7 @@
 // The jog lease: renewed only while pressed, heard and awake; ended by everything else.
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { JogLease, lease_ms, renewal_ms, unansweredAtMost } from '../../src/rpc/jog_lease';
-import { ownNumbers, Refusal } from '../../src/rpc/json_rpc';
+import { noData, ownNumbers, Refusal } from '../../src/rpc/json_rpc';
 
 const motion = { channel: 1, axis: 'X', velocity: 10 };
 let jogs: number;
@@ -149,4 +149,24 @@ test('another axis ends the first', async () => {
   expect(holds).toBe(1);
   expect(lease.motion?.axis).toBe('Y');
   lease.release();
+});
+
+// The hold of one's own release overtakes a renewal that is under way: no news for whoever let go.
+test('a renewal that the own stop has overtaken is not told', async () => {
+  let refuse: (error: unknown) => void = () => undefined;
+  lease.press(motion);
+  await pass(10);
+  answer = () => new Promise((_, reject) => (refuse = reject));
+  await pass(100);
+  lease.release();
+  refuse(new Refusal(0, '', { ...noData, code: 'E6072' }));
+  await pass(1);
+  expect(refusals).toEqual([]);
+});
+
+test('a stop by somebody else is told', async () => {
+  lease.press(motion);
+  answer = () => Promise.reject(new Refusal(0, '', { ...noData, code: 'E6072' }));
+  await pass(100);
+  expect(refusals).toHaveLength(1);
 });
