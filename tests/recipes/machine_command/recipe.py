@@ -10,19 +10,18 @@ RECIPE = Recipe("A command that the machine executes", [
      .parameters = of_channel,
      .help = "end single block"},
 """),
-    after("channels/contract/operator_command.h", "  tool_touch,", "  continuous,"),
+    after("channels/contract/operator_command.h", "  coolant_switch,", "  continuous,"),
     before("channels/contract/operator_command.h", "// The session that has the channel to itself.", """
 // The program no longer stops after each block.
 struct Continuous {};
 """),
     replaced("channels/contract/operator_command.h", """
-    commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch>;
+    commands::ProgramReturn, commands::SpindleSwitch, commands::CoolantSwitch>;
 """, """
-    commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch,
-    commands::Continuous>;
+    commands::ProgramReturn, commands::SpindleSwitch, commands::CoolantSwitch, commands::Continuous>;
 """),
     after("channels/contract/operator_action.cc", """
-    {Action::tool_touch, "tool_touch", Effect::none, Rule::touch, Reach::channel},
+    {Action::coolant_switch, "coolant_switch", Effect::begins, Rule::interlude, Reach::channel},
 """, """
     {Action::continuous, "continuous", Effect::none, Rule::always, Reach::channel},
 """),
@@ -38,11 +37,11 @@ struct Continuous {};
   if (std::holds_alternative<commands::Continuous>(command)) notes.single_block = false;
 """),
     after("tests/channels/contract/operator_command_test.cc", """
-      {ToolTouch{ShortText("length"), -4.0, 7, 2}, 30, "tool_touch", 7, -4.0, 2.0, "length"},
+      {CoolantSwitch{Switch::on}, 33, "coolant_switch", 1},
 """, """
-      {Continuous{}, 31, "continuous"},
+      {Continuous{}, 34, "continuous"},
 """),
     replaced("tests/channels/contract/operator_command_test.cc",
-             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(31)}));",
-             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(32)}));"),
+             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(34)}));",
+             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(35)}));"),
 ])
