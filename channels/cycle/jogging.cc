@@ -49,6 +49,7 @@ std::string_view obstacle_of_line(const Channel& channel, const AxisArray<double
 void note_motion(Channel& channel) RT_SAFE {
   if (!channel.motion.manual().is_active()) return;
   if (!channel.state().is_held()) return channel.run.apply(Change::hand_begins);
+  channel.run.call_off_by_hand();
   channel.motion.leave_path();
   channel.run.apply(Change::path_left);
 }

@@ -44,6 +44,8 @@ class RunControl {
   void resume() RT_SAFE;
   // What moves outside of programs comes to rest.
   void stop_by_hand() RT_SAFE;
+  // A jog begins in a hold: a return or a resume that still waits is over.
+  void call_off_by_hand() RT_SAFE { ++hand_stops_; }
   // An operator has asked for a hold that the program does not let act yet.
   [[nodiscard]] bool hold_waits() const RT_SAFE { return hold_waits_; }
   [[nodiscard]] HoldCause hold_cause() const RT_SAFE;
@@ -72,7 +74,7 @@ class RunControl {
   // True once, when the time for it has come.
   [[nodiscard]] bool takes_power_off() RT_SAFE;
 
-  // Counts what brings moves by hand to rest.
+  // Counts what calls off moves by hand, and what was asked for in a hold and still waits.
   [[nodiscard]] std::uint32_t hand_stops() const RT_SAFE { return hand_stops_; }
   // Counts what ends all that was asked for before: stops, resets, faults.
   [[nodiscard]] std::uint32_t generation() const RT_SAFE { return generation_; }

@@ -271,6 +271,44 @@ TEST_F(Refusals, OneAxisMovesAtATime) {
   EXPECT_EQ(code_of(jog_of("Z")), "E6056");
 }
 
+// A return that waits for its spindle is called off by whoever moves on by hand: it does not begin
+// behind that move.
+TEST(Return, IsCalledOffByAJogWhileItWaitsForTheSpindle) {
+  MachineBench bench(testing::turning_machine(), {.on_at_start = true});
+  const auto ask = [&](const OperatorCommand& command) {
+    OperatorEvent event;
+    event.channel = 1;
+    event.command = command;
+    bench.ask(event);
+  };
+  const auto cycles = [&](int count) {
+    for (int n = 0; n < count; ++n) bench.cycle();
+  };
+  const commands::Jog jog{.axis = ShortText("X"), .velocity = 50.0, .increment = 1.0};
+  bench.program("p.nc", "S1000 M3\nG94 G1 X50 F600\nM30\n");
+  bench.run(1, "p.nc");
+  bench.cycle();
+  for (int n = 0; n < 20000 && bench.channel(1).path_speed < 5.0; ++n) bench.cycle();
+  bench.ask(OperatorAction::program_hold, 1);
+  cycles(300);
+  ask(commands::SpindleSwitch{Switch::off});
+  for (int n = 0; n < 20000 && bench.channel(1).process.spindles[0].rev_per_min != 0.0; ++n)
+    bench.cycle();
+  ask(jog);
+  cycles(300);
+  ASSERT_TRUE(bench.channel(1).aside);
+  ask(commands::ProgramReturn{});
+  cycles(20);
+  ASSERT_LT(bench.channel(1).process.spindles[0].rev_per_min, 900.0) << "it still waits";
+  ask(jog);
+  cycles(300);
+  const double stands = bench.channel(1).axes[testing::lathe_X].position;
+  cycles(5000);
+  EXPECT_EQ(bench.channel(1).axes[testing::lathe_X].position, stands);
+  EXPECT_TRUE(bench.channel(1).aside);
+  EXPECT_EQ(bench.replies()[bench.replies().size() - 1].code.view(), "E6072");
+}
+
 MachineConfig five_axis_machine() {
   MachineConfig machine = testing::two_channel_machine();
   machine.channels[0].scheme = 2;
