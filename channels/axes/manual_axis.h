@@ -17,9 +17,12 @@ struct ManualAxis {
   double following_error_max = 0.5;
 };
 
-// With which it looks for its home switch; an axis that does not: a part of its highest velocity.
+// Of its highest velocity: with that an axis moves that has no reference.
+inline constexpr double unreferenced_part = 0.1;
+
+// With which it looks for its home switch, mm/s or deg/s; an axis that does not: as without a
+// reference.
 [[nodiscard]] inline double search_speed(const ManualAxis& axis) RT_SAFE {
-  constexpr double unreferenced_part = 0.1;
   const double search = std::abs(axis.homing.velocity);
   return search > 0.0 ? search : unreferenced_part * axis.limits.velocity_max;
 }

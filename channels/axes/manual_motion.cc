@@ -9,8 +9,6 @@ namespace {
 
 constexpr double lease_s = 0.2;          // of a continuous jog
 constexpr double drive_answers_s = 3.0;  // when it is told its position
-// Without a reference an axis is jogged slowly: part of its highest velocity.
-constexpr double unreferenced_part = 0.1;
 // Home switch and index pulse lie within the travel and a little more; of an axis without limits,
 // within this distance.
 constexpr double search_reserve = 1.1;

@@ -23,7 +23,7 @@ std::string_view jog_refusal(std::string_view code) RT_SAFE {
   if (code == "E6070") return "the program has not come to rest yet";
   if (code == "E6099")
     return "the held program is in a thread, measures, or changes kinematics or axes";
-  if (code == "E6100") return "the way back to the path has 64 parts: return first";
+  if (code == "E6100") return "the way back to the path has 63 parts: return first";
   if (code == "E6055")
     return "the active scheme has no straight line in this direction; jog the axes of the machine";
   if (code == "E6059")
@@ -109,12 +109,25 @@ Verdict apply_to(Channel& channel, const commands::ProcessAdaptive& command) RT_
                  "no force has been commanded yet: give one with process adaptive on force N");
 }
 
+// Axes on their way back to the path stay where they are without their spindle.
+Verdict apply_to(Channel& channel, const commands::SpindleSwitch& command) RT_SAFE {
+  if (command.to == Switch::off) channel.run.stop_by_hand();
+  channel.switches.set_spindles(command.to);
+  return success();
+}
+
+Verdict apply_to(Channel& channel, const commands::CoolantSwitch& command) RT_SAFE {
+  channel.switches.set_coolant(command.to);
+  return success();
+}
+
 template <class Command, class... Commands>
 concept OneOf = (std::same_as<Command, Commands> || ...);
 
 template <class Command>
-concept OfOneChannel = OneOf<Command, commands::Jog, commands::ProcessInterrupt,
-                             commands::ProcessAutomatic, commands::ProcessAdaptive>;
+concept OfOneChannel =
+    OneOf<Command, commands::Jog, commands::ProcessInterrupt, commands::ProcessAutomatic,
+          commands::ProcessAdaptive, commands::SpindleSwitch, commands::CoolantSwitch>;
 template <class Command>
 concept TakesTime =
     OneOf<Command, commands::ProgramLoad, commands::ProgramRun, commands::ProgramStart,
@@ -165,16 +178,6 @@ struct OperatorDesk::Application {
   }
   Result operator()(const commands::ProgramResume& /*command*/) const RT_SAFE {
     return each([](Channel& c) RT_SAFE { c.switches.resume(); });
-  }
-  // Axes on their way back to the path stay where they are without their spindle.
-  Result operator()(const commands::SpindleSwitch& command) const RT_SAFE {
-    return each([&](Channel& c) RT_SAFE {
-      if (command.to == Switch::off) c.run.stop_by_hand();
-      c.switches.set_spindles(command.to);
-    });
-  }
-  Result operator()(const commands::CoolantSwitch& command) const RT_SAFE {
-    return each([&](Channel& c) RT_SAFE { c.switches.set_coolant(command.to); });
   }
   Result operator()(const commands::OverrideFeed& command) const RT_SAFE {
     return each([&](Channel& c) RT_SAFE {

@@ -159,7 +159,7 @@ ItemWorker::ItemWorker(CycleParts& parts)
     : parts_(parts),
       loads_(parts.run, parts.link),
       change_(parts.axes, parts.drives, parts.motion, parts.run, parts.link),
-      probe_(parts.constants.probe_input, *parts.books.inputs, parts.drives, parts.motion),
+      probe_(parts.constants, *parts.books.inputs, parts.drives, parts.motion),
       settling_(parts.link) {}
 
 void ItemWorker::advance() RT_SAFE {

@@ -14,14 +14,15 @@ bool ProbeWatch::begin(const ProbeBegin& probe) RT_SAFE {
 }
 
 void ProbeWatch::see_tool(AtWork tool) RT_SAFE {
-  constexpr int bounce_cycles = 50;
-  if (tool != AtWork::probe || input_ < 0) {
+  constexpr double bounce_s = 0.05;
+  const int input = constants_.probe_input;
+  if (tool != AtWork::probe || input < 0) {
     contact_ = {};
     return;
   }
-  const bool touches = inputs_.is_on(input_);
-  contact_.has_closed = touches && contact_.cycles_open >= bounce_cycles;
-  contact_.cycles_open = touches ? 0 : std::min(contact_.cycles_open + 1, bounce_cycles);
+  const bool touches = inputs_.is_on(input);
+  contact_.has_closed = touches && contact_.open_s >= bounce_s;
+  contact_.open_s = touches ? 0.0 : std::min(contact_.open_s + constants_.cycle_s, bounce_s);
 }
 
 bool ProbeWatch::meets_something() const RT_SAFE {

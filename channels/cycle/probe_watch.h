@@ -17,10 +17,10 @@ enum class AtWork : std::uint8_t { probe, other };
 
 class ProbeWatch {
  public:
-  // `input`: on while the probe of the channel touches; -1: it has none. All others outlive the
-  // watch.
-  ProbeWatch(int input, const Signals& inputs, const DriveGuard& drives, AxisMotion& motion)
-      : input_(input), inputs_(inputs), drives_(drives), motion_(motion) {}
+  // All outlive the watch.
+  ProbeWatch(const ChannelConstants& constants, const Signals& inputs, const DriveGuard& drives,
+             AxisMotion& motion)
+      : constants_(constants), inputs_(inputs), drives_(drives), motion_(motion) {}
 
   // False: the probe stands already as it should come to stand, which tells nothing about where to
   // go; the move is given up.
@@ -51,10 +51,10 @@ class ProbeWatch {
   // The contact of a probe that is at work; it bounces when it opens.
   struct Contact {
     bool has_closed = false;  // in this cycle
-    int cycles_open = 0;
+    double open_s = 0.0;
   };
 
-  int input_;
+  const ChannelConstants& constants_;
   const Signals& inputs_;
   const DriveGuard& drives_;
   AxisMotion& motion_;

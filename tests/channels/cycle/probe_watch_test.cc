@@ -19,7 +19,8 @@ class ProbeWatchTest : public ::testing::Test {
   }
 
   CycleBench bench_;
-  ProbeWatch probe_{-1, bench_.inputs, bench_.parts.drives, bench_.parts.motion};
+  ProbeWatch probe_{bench_.parts.constants, bench_.inputs, bench_.parts.drives,
+                    bench_.parts.motion};
 };
 
 TEST_F(ProbeWatchTest, EndsThePathWhereTheProbeTouches) {
