@@ -16,18 +16,47 @@ void AxisMove::begin(double from, double to, const AxisMoveLimits& limits) RT_SA
   const double length = std::abs(to - from);
   if (length <= 0.0) return;
   const double top = peak_speed(0.0, 0.0, length, ramp_, ramp_, limits.speed);
-  const PhaseRun up = ramp_up(0.0, 0.0, top, ramp_);
+  end_with(ramp_up(0.0, 0.0, top, ramp_), top, length);
+}
+
+// Behind the change of speed on with `top`, and down to rest at `length`.
+void AxisMove::end_with(const PhaseRun& change, double top, double length) RT_SAFE {
+  add(change);
+  const double from = change.size() == 0 ? motion_.s : change[change.size() - 1].s_end;
   const PhaseRun down = ramp_down(top, length, 0.0, ramp_);
-  add(up);
-  const double cruise = down[0].s - up[up.size() - 1].s_end;
+  const double cruise = down.size() == 0 ? 0.0 : down[0].s - from;
   if (cruise > 0.0) {
-    phases_[size_++] = {.duration = cruise / top,
-                        .s = up[up.size() - 1].s_end,
-                        .v = top,
-                        .s_end = down[0].s,
-                        .v_end = top};
+    phases_[size_++] = {
+        .duration = cruise / top, .s = from, .v = top, .s_end = down[0].s, .v_end = top};
   }
   add(down);
+}
+
+// The way that a change to `top` and a ramp down to rest need grows with it, from that of a stop,
+// which ends before the present end: the highest one that ends at `to` is found by halving.
+void AxisMove::extend(double to, double speed) RT_SAFE {
+  const double length = std::abs(to - from_);
+  const auto rest = [&](double top) RT_SAFE {
+    const PhaseRun change = change_speed(motion_, top, ramp_);
+    const double changed = change.size() == 0 ? motion_.s : change[change.size() - 1].s_end;
+    return changed + ramp_distance(top, 0.0, ramp_);
+  };
+  double low = 0.0;
+  double high = speed;
+  if (rest(high) > length) {
+    constexpr int halvings = 48;
+    for (int n = 0; n < halvings; ++n) {
+      const double middle = 0.5 * (low + high);
+      (rest(middle) <= length ? low : high) = middle;
+    }
+  } else {
+    low = high;
+  }
+  end_ = to;
+  size_ = 0;
+  at_ = 0;
+  t_ = 0.0;
+  end_with(change_speed(motion_, low, ramp_), low, length);
 }
 
 void AxisMove::stop() RT_SAFE {

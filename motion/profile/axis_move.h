@@ -25,15 +25,21 @@ class AxisMove {
   void begin(double from, double to, const AxisMoveLimits& limits) RT_SAFE;
   // To rest as soon as the limits allow.
   void stop() RT_SAFE;
+  // Farther in its direction than it goes, without a rest between; `speed` is the highest from here
+  // on, a higher one that it has already is left as soon as the limits allow. Not at rest.
+  void extend(double to, double speed) RT_SAFE;
 
   void advance(double time_s) RT_SAFE;
   [[nodiscard]] bool is_at_rest() const RT_SAFE { return at_ >= size_; }
   [[nodiscard]] bool goes_up() const RT_SAFE { return sign_ > 0.0; }
+  [[nodiscard]] double end() const RT_SAFE { return end_; }
   // Position with its derivatives by time.
   [[nodiscard]] kinematics::Jet position() const RT_SAFE;
 
  private:
   void add(const PhaseRun& run) RT_SAFE;
+
+  void end_with(const PhaseRun& change, double top, double length) RT_SAFE;
 
   static constexpr std::size_t phases_max = 2 * PhaseRun::capacity + 1;
   std::array<Phase, phases_max> phases_{};

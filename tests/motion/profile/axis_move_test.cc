@@ -96,5 +96,34 @@ TEST(AxisMove, OfNoLengthIsAtRest) {
   EXPECT_EQ(move.position().value, 3.0);
 }
 
+// Extended again and again while it moves, also while it brakes already: one motion to the new end.
+TEST(AxisMove, IsExtendedWithoutARestBetween) {
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (int k = 0; k < 500; ++k) {
+    const AxisMoveLimits limits{
+        .speed = 1.0 + 200.0 * part(random),
+        .ramp = {.a = 200.0 + 3000.0 * part(random), .j = 2000.0 + 80000.0 * part(random)}};
+    const double sign = k % 2 == 0 ? 1.0 : -1.0;
+    AxisMove move;
+    double to = sign * (0.01 + 20.0 * part(random));
+    move.begin(0.0, to, limits);
+    Ride ride;
+    for (int cycle = 0; cycle < 100'000 && !move.is_at_rest(); ++cycle) {
+      if (cycle < 2000 && part(random) < 0.03) {
+        to += sign * 5.0 * part(random) * part(random);
+        move.extend(to, limits.speed);
+      }
+      move.advance(cycle_s);
+      ride.jets.push_back(move.position());
+      if (!move.is_at_rest()) {
+        EXPECT_GT(sign * move.position().first, 0.0);
+      }
+    }
+    EXPECT_NEAR(move.position().value, to, 1e-9);
+    expect_limits(ride, limits);
+  }
+}
+
 }  // namespace
 }  // namespace stanok::motion
