@@ -72,19 +72,60 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
   return {};
 }
 
+double ManualMotion::highest_speed(int axis, const AxisFeedback& drive) const RT_SAFE {
+  const double part = drive.referenced ? 1.0 : unreferenced_part;
+  return part * axes_[axis].limits.velocity_max;
+}
+
 std::string_view ManualMotion::add(const Jog& jog, const AxisFeedback& drive) RT_SAFE {
   AxisState& state = states_[jog.axis];
   const motion::AxisLimits& limits = axes_[jog.axis].limits;
   const bool up = jog.velocity > 0.0;
-  const double more = state.more + (up ? jog.increment : -jog.increment);
-  const double end = state.end + more;
+  const double target = state.end + state.more + (up ? jog.increment : -jog.increment);
   if (up ? drive.limit_positive : drive.limit_negative) return "E6057";
-  if (drive.referenced && (up ? end > limits.position_max : end < limits.position_min))
+  if (drive.referenced && (up ? target > limits.position_max : target < limits.position_min))
     return "E6053";
-  const double fastest = drive.referenced ? 1.0 : unreferenced_part;
-  state.speed = std::min(std::abs(jog.velocity), fastest * limits.velocity_max);
-  state.more = more;
+  aim_at(state, target, std::min(std::abs(jog.velocity), highest_speed(jog.axis, drive)));
   return {};
+}
+
+std::string_view ManualMotion::turn(int axis, double way, double from, const AxisFeedback& drive)
+    RT_SAFE {
+  AxisState& state = states_[axis];
+  const motion::AxisLimits& limits = axes_[axis].limits;
+  const double speed = highest_speed(axis, drive);
+  Jog jog{.axis = axis, .velocity = std::copysign(speed, way), .increment = std::abs(way)};
+  const bool is_under_way = takes_up(jog);
+  constexpr double behind_s = 0.1;  // how far a wheel may be ahead of the axis, besides its brake
+  const double at = is_under_way ? state.move.position().value : from;
+  const double ahead = behind_s * speed + motion::ramp_distance(speed, 0.0, ramp_of(limits));
+  const double aimed = is_under_way ? state.end + state.more : from;
+  double target = std::clamp(aimed + way, at - ahead, at + ahead);
+  // The end of the travel is the end of the wheel's effect; from beyond it the way in is free.
+  if (drive.referenced && way > 0.0) target = std::min(target, std::max(at, limits.position_max));
+  if (drive.referenced && way < 0.0) target = std::max(target, std::min(at, limits.position_min));
+  if (!is_under_way) {
+    jog.increment = std::abs(target - from);
+    return jog.increment > 0.0 ? this->jog(jog, from, drive) : "E6053";
+  }
+  if (way > 0.0 ? drive.limit_positive : drive.limit_negative) return "E6057";
+  aim_at(state, target, speed);
+  return {};
+}
+
+// Farther the way that it goes, or to rest first and then back.
+void ManualMotion::aim_at(AxisState& state, double target, double speed) RT_SAFE {
+  state.speed = speed;
+  const bool is_ahead = state.move.goes_up() ? target >= state.end : target <= state.end;
+  if (state.more == 0.0 && !state.move.is_at_rest() && is_ahead) {
+    state.end = target;
+    return state.move.extend(target, speed);
+  }
+  if (state.more == 0.0) {
+    state.move.stop();
+    state.end = state.move.end();
+  }
+  state.more = target - state.end;
 }
 
 void ManualMotion::go_on(AxisState& state, const ManualAxis& axis) RT_SAFE {

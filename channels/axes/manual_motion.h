@@ -40,6 +40,11 @@ class ManualMotion {
   // Returns why not: a code of the catalogue; empty: it goes.
   [[nodiscard]] std::string_view jog(const Jog& jog, double from, const AxisFeedback& drive)
       RT_SAFE;
+  // As a handwheel was turned: adds a way, in either direction, to where the axis goes, as fast as
+  // it can. What it could not follow at once is dropped, so that it stands soon after the wheel
+  // does.
+  [[nodiscard]] std::string_view turn(int axis, double way, double from, const AxisFeedback& drive)
+      RT_SAFE;
   // The same for axes along a line: none of them moves otherwise meanwhile.
   [[nodiscard]] std::string_view jog(const JogLine& line, std::span<const AxisFeedback> drives,
                                      std::span<const kinematics::Jet> positions) RT_SAFE;
@@ -87,6 +92,8 @@ class ManualMotion {
   };
 
   [[nodiscard]] std::string_view add(const Jog& jog, const AxisFeedback& drive) RT_SAFE;
+  [[nodiscard]] double highest_speed(int axis, const AxisFeedback& drive) const RT_SAFE;
+  static void aim_at(AxisState& state, double target, double speed) RT_SAFE;
   void go_on(AxisState& state, const ManualAxis& axis) RT_SAFE;
   void begin_next_order(std::span<const kinematics::Jet> positions) RT_SAFE;
   void search(std::size_t axis, const AxisFeedback& drive, kinematics::Jet& position) RT_SAFE;

@@ -47,6 +47,8 @@ constexpr auto action_rows = std::to_array<ActionRow>({
     {Action::program_return, "program_return", Effect::begins, Rule::go_back, Reach::channel},
     {Action::spindle_switch, "spindle_switch", Effect::begins, Rule::interlude, Reach::channel},
     {Action::coolant_switch, "coolant_switch", Effect::begins, Rule::interlude, Reach::channel},
+    {Action::handwheel, "handwheel", Effect::begins, Rule::jog, Reach::channel},
+    {Action::first_part, "first_part", Effect::none, Rule::always, Reach::channel},
 });
 
 consteval bool is_complete() {

@@ -169,6 +169,13 @@ void convert(auto& form, commands::SpindleSwitch& command) {
 void convert(auto& form, commands::CoolantSwitch& command) {
   form.on_or_off(command.to);
 }
+void convert(auto& form, commands::FirstPart& command) {
+  form.on_or_off(command.to);
+}
+void convert(auto& form, commands::Handwheel& command) {
+  form.text(command.axis);
+  form.value(command.way);
+}
 void convert(auto& form, commands::ToolTouch& command) {
   form.text(command.key);
   form.value(command.point_W);

@@ -52,6 +52,8 @@ enum class OperatorAction : std::uint8_t {
   program_return,
   spindle_switch,
   coolant_switch,
+  handwheel,
+  first_part,
 };
 
 enum class Switch : std::uint8_t { off, on };
@@ -181,6 +183,15 @@ struct ToolTouch {
 struct ChannelControl {
   std::int32_t session = 0;  // 0: nobody
 };
+// Whether rapid traverse keeps to a quarter, whatever its override is.
+struct FirstPart {
+  Switch to = Switch::off;
+};
+// An axis goes on by this way, as the handwheel was turned.
+struct Handwheel {
+  ShortText axis{};  // of the machine
+  double way = 0.0;  // mm or deg; its sign is the direction
+};
 // Axes that were moved away from a held program go back to its path.
 struct ProgramReturn {
   double velocity = 0.0;  // mm/s or deg/s along the way; 0: that of each axis's search
@@ -205,7 +216,8 @@ using OperatorCommand = std::variant<
     commands::Mdi, commands::ProcessInterrupt, commands::ProcessAutomatic, commands::Jog,
     commands::Home, commands::ToolSet, commands::OffsetSet, commands::ProcessAdaptive,
     commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch,
-    commands::ProgramReturn, commands::SpindleSwitch, commands::CoolantSwitch>;
+    commands::ProgramReturn, commands::SpindleSwitch, commands::CoolantSwitch, commands::Handwheel,
+    commands::FirstPart>;
 static_assert(std::is_trivially_copyable_v<OperatorCommand>);
 
 [[nodiscard]] inline OperatorAction action_of(const OperatorCommand& command) RT_SAFE {

@@ -54,6 +54,15 @@ Verdict apply_to(Channel& channel, const commands::Jog& command) RT_SAFE {
   return code.empty() ? success() : refusal(code, jog_refusal(code));
 }
 
+Verdict apply_to(Channel& channel, const commands::Handwheel& command) RT_SAFE {
+  if (!std::isfinite(command.way) || command.way == 0.0)
+    return refusal("E6054", "a handwheel is turned by a way that is not 0");
+  const int axis = channel.axes.named(command.axis.view());
+  if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
+  const std::string_view code = turn(channel, axis, command.way);
+  return code.empty() ? success() : refusal(code, jog_refusal(code));
+}
+
 // For the present program, or the next one: operators interrupt what they see.
 Verdict apply_to(Channel& channel, const commands::ProcessInterrupt& command) RT_SAFE {
   constexpr double interruption_mm_min = 0.001;  // L_B
@@ -126,8 +135,9 @@ concept OneOf = (std::same_as<Command, Commands> || ...);
 
 template <class Command>
 concept OfOneChannel =
-    OneOf<Command, commands::Jog, commands::ProcessInterrupt, commands::ProcessAutomatic,
-          commands::ProcessAdaptive, commands::SpindleSwitch, commands::CoolantSwitch>;
+    OneOf<Command, commands::Jog, commands::Handwheel, commands::ProcessInterrupt,
+          commands::ProcessAutomatic, commands::ProcessAdaptive, commands::SpindleSwitch,
+          commands::CoolantSwitch>;
 template <class Command>
 concept TakesTime =
     OneOf<Command, commands::ProgramLoad, commands::ProgramRun, commands::ProgramStart,
@@ -197,6 +207,9 @@ struct OperatorDesk::Application {
   Result operator()(const commands::OptionalStop& command) const RT_SAFE {
     return each([&](Channel& c)
                     RT_SAFE { c.switches.set_optional_stop(command.to == Switch::on); });
+  }
+  Result operator()(const commands::FirstPart& command) const RT_SAFE {
+    return each([&](Channel& c) RT_SAFE { c.switches.set_first_part(command.to); });
   }
   Result operator()(const commands::SingleBlock& command) const RT_SAFE {
     return each([&](Channel& c) RT_SAFE { c.set_single_block(command.to); });

@@ -28,6 +28,8 @@ bool raises_override(const OperatorEvent& event, const Channel& channel) RT_SAFE
     return feed->factor > channel.switches.feed_override();
   if (const auto* rapid = std::get_if<commands::OverrideRapid>(&event.command))
     return rapid->factor > channel.switches.rapid_override();
+  if (const auto* part = std::get_if<commands::FirstPart>(&event.command))
+    return part->to == Switch::off && channel.switches.first_part() == Switch::on;
   return false;
 }
 

@@ -163,7 +163,7 @@ void Channel::tell_when_it_runs_dry() RT_SAFE {
 motion::FeedControl Channel::feed_control() RT_SAFE {
   motion::FeedControl control;
   control.feed_override = switches.feed_override_in_force();
-  control.rapid_override = switches.rapid_override();
+  control.rapid_override = switches.rapid_override_in_force();
   control.hold =
       run.holds_path() || items_.probe().ends_path() || refill_.is_on() || rests_after_gap_;
   control.leaves_thread = run.leaves_thread();

@@ -1,5 +1,7 @@
 #include "channels/cycle/jogging.h"
 
+#include <cmath>
+
 #include "channels/axes/jog_direction.h"
 #include "channels/cycle/channel.h"
 
@@ -54,16 +56,30 @@ void note_motion(Channel& channel) RT_SAFE {
   channel.run.apply(Change::path_left);
 }
 
-}  // namespace
-
-std::string_view jog(Channel& channel, const Jog& jog) RT_SAFE {
+template <class Begin>
+std::string_view move_axis(Channel& channel, const Jog& jog, Begin&& begin) RT_SAFE {
   const Course course = channel.motion.manual().takes_up(jog) ? Course::goes_on : Course::begins;
   if (const auto code = obstacle(channel, course); !code.empty()) return code;
   if (const auto code = obstacle_of_axis(channel, jog.axis); !code.empty()) return code;
   const double from = channel.motion.path().axes[jog.axis].value;
-  const auto refused = channel.motion.manual().jog(jog, from, channel.drives.feedback(jog.axis));
+  const auto refused = begin(from, channel.drives.feedback(jog.axis));
   note_motion(channel);
   return refused;
+}
+
+}  // namespace
+
+std::string_view jog(Channel& channel, const Jog& jog) RT_SAFE {
+  return move_axis(channel, jog, [&](double from, const AxisFeedback& drive) RT_SAFE {
+    return channel.motion.manual().jog(jog, from, drive);
+  });
+}
+
+std::string_view turn(Channel& channel, int axis, double way) RT_SAFE {
+  const Jog jog{.axis = axis, .velocity = way, .increment = std::abs(way)};
+  return move_axis(channel, jog, [&](double from, const AxisFeedback& drive) RT_SAFE {
+    return channel.motion.manual().turn(axis, way, from, drive);
+  });
 }
 
 std::string_view jog(Channel& channel, JogFrame frame, int coordinate, JogLine line) RT_SAFE {

@@ -4,6 +4,7 @@
 // Thread: the real-time cycle. Owner: the channel.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/rt_safe.h"
@@ -24,6 +25,8 @@ class OperatorSwitches {
   void set_feed_override(double factor) RT_SAFE { feed_override_ = factor; }
   void set_rapid_override(double factor) RT_SAFE { rapid_override_ = factor; }
   void set_spindle_override(double factor) RT_SAFE;
+  // Of the first part of a program rapid traverse is a quarter at most.
+  void set_first_part(Switch to) RT_SAFE { first_part_ = to; }
   void set_optional_stop(bool on) RT_SAFE { optional_stop_ = on; }
   void set_block_skip(int level, bool on) RT_SAFE;
   // Of a held program; both are on before it goes on, and when it ends.
@@ -45,7 +48,12 @@ class OperatorSwitches {
   [[nodiscard]] double feed_override_in_force() const RT_SAFE {
     return admitted_.feed_enabled ? feed_override_ : 1.0;
   }
-  [[nodiscard]] double rapid_override() const RT_SAFE { return rapid_override_; }
+  [[nodiscard]] double rapid_override() const RT_SAFE { return rapid_override_; }  // as it is set
+  [[nodiscard]] double rapid_override_in_force() const RT_SAFE {
+    constexpr double first_part_max = 0.25;
+    return first_part_ == Switch::on ? std::min(rapid_override_, first_part_max) : rapid_override_;
+  }
+  [[nodiscard]] Switch first_part() const RT_SAFE { return first_part_; }
   [[nodiscard]] bool optional_stop() const RT_SAFE { return optional_stop_; }
   [[nodiscard]] std::uint16_t block_skip() const RT_SAFE { return block_skip_; }  // bit n: level n
 
@@ -66,6 +74,7 @@ class OperatorSwitches {
   lang::OverrideControl admitted_;
   double feed_override_ = 1.0;
   double rapid_override_ = 1.0;
+  Switch first_part_ = Switch::off;
   double spindle_override_ = 1.0;
   Rest spindle_rest_ = Rest::none;
   AskedResume resume_;

@@ -60,6 +60,8 @@ void note_switches(const channels::OperatorCommand& command, ChannelNotes& notes
     notes.single_block = step->to == channels::Switch::on;
   if (const auto* stop = std::get_if<commands::OptionalStop>(&command))
     notes.optional_stop = stop->to == channels::Switch::on;
+  if (const auto* part = std::get_if<commands::FirstPart>(&command))
+    notes.first_part = part->to == channels::Switch::on;
   if (const auto* skip = std::get_if<commands::BlockSkip>(&command))
     notes.levels_skipped.insert(skip->level);
   if (const auto* skip = std::get_if<commands::BlockSkipOff>(&command))

@@ -23,6 +23,7 @@ struct ChannelNotes {
   double spindle_override_percent = 100.0;
   bool single_block = false;
   bool optional_stop = false;
+  bool first_part = false;
   std::set<int> levels_skipped;  // block skip
   std::string controlled_by;     // a session; empty: nobody alone
   // Numbers of the newest alarm that was. What is cleared is never active again.

@@ -361,6 +361,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"waits_for", wait_of(output)},
           {"single_block", notes.single_block},
           {"optional_stop", notes.optional_stop},
+          {"first_part", notes.first_part},
           {"block_skip", notes.levels_skipped},
           {"work_offset", work_offset_of(lang::names_of(codes, 'G'))},
           {"coolant", coolant_of(lang::names_of(codes, 'M'))},

@@ -6,6 +6,8 @@
 namespace stanok::protocol::rows {
 namespace {
 
+constexpr double turn_limit = 1000.0;
+
 constexpr Parameter line = required_text("text", "one complete statement");
 
 constexpr Parameter jogged_axis = required_text(
@@ -61,6 +63,19 @@ constexpr Parameter wait_as_usual = [] {
 constexpr std::array of_line{line, channel, wait_as_usual, seen_situation, seen_cycle};
 constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment,
                             jog_frame,   channel,      seen_cycle};
+constexpr Parameter turned_axis =
+    required_text("axis", "machine axis as named in the machine file");
+constexpr Parameter turned_way{
+    .name = "way",
+    .type = ParameterType::number,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .carries = Carries::value,
+    .unit = "mm, deg",
+    .minimum = -turn_limit,
+    .maximum = turn_limit,
+    .help = "way by which the wheel was turned; its sign is the direction"};
+constexpr std::array of_handwheel{turned_axis, turned_way, channel, seen_cycle};
 constexpr std::array of_home{homed_axis, channel, seen_cycle};
 
 constexpr auto hand_rows = std::to_array<Method>({
@@ -80,6 +95,16 @@ constexpr auto hand_rows = std::to_array<Method>({
      .parameters = of_jog,
      .help = "jog an axis by an increment, or for 200 ms at a time; repeat the command to keep the "
              "axis moving"},
+
+    {.name = "handwheel",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .action = "handwheel",
+     .parameters = of_handwheel,
+     .help =
+         "move an axis as a handwheel does: the way is added to where the axis goes, and "
+         "followed as fast as the axis can; what it cannot follow is dropped, so that it stands "
+         "soon after the wheel"},
 
     {.name = "home",
      .role = machine_operator,

@@ -42,7 +42,7 @@ constexpr auto named_shapes = std::to_array<std::pair<std::string_view, std::str
     {"wait", R"({"for":"string","number":"integer?","channels":["integer"]})"},
     {"channel", R"({"id":"integer","name":"string","words":["string"],"axis_names":["string"],
       "cycle":"integer","age_ms":"integer","state":"string","program_status":"string",
-      "waits_for":"$wait?","single_block":"boolean","optional_stop":"boolean",
+      "waits_for":"$wait?","single_block":"boolean","optional_stop":"boolean","first_part":"boolean",
       "block_skip":["integer"],"work_offset":"string?","coolant":["string"],"held_by":"string?",
       "aside":"boolean","spindles_off":"boolean","coolant_off":"boolean","controlled_by":"string?",
       "alarm":"$alarm?","program":"string?","run":"integer","file":"string?","line":"integer","block":"integer",

@@ -15,7 +15,8 @@ STOPS = frozenset({
 })
 MOVES = frozenset({
     "machine.on", "program.run", "program.start", "program.resume", "program.return",
-    "program.spindles", "program.coolant", "queue.start", "kinematics.select", "mdi", "jog", "home",
+    "program.spindles", "program.coolant", "queue.start", "kinematics.select", "mdi", "jog",
+    "handwheel", "home",
 })
 
 
@@ -426,6 +427,19 @@ class ProgramMethods:
             channel: channel; default: the first one; 1 to 999.
         """
         return self._call("program.optional_stop", _given(on=on, channel=channel))
+
+    def first_part(self, on: int, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
+        """First part: rapid traverse keeps to 25 %, whatever the rapid override is.
+
+        ``program.first_part``, for the role operator.
+
+        Args:
+            on: 1: on; 0: off; 0 to 1.
+            channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
+        """
+        return self._call("program.first_part", _given(on=on, channel=channel, seen_cycle=seen_cycle))
 
     def step(self, on: int, *, channel: int | None = None) -> dict[str, Any]:
         """Single block: stop after each block; `program start` begins the next one.
@@ -1478,6 +1492,28 @@ class Methods:
         return self._call("jog", _given(
             axis=axis, velocity=velocity, increment=increment, frame=frame, channel=channel,
             seen_cycle=seen_cycle))
+
+    def handwheel(
+        self,
+        axis: str,
+        way: float,
+        *,
+        channel: int | None = None,
+        seen_cycle: int | None = None,
+    ) -> dict[str, Any]:
+        """Move an axis as a handwheel does: the way is added to where the axis goes, and followed as fast as the
+        axis can; what it cannot follow is dropped, so that it stands soon after the wheel.
+
+        ``handwheel``, for the role operator.
+
+        Args:
+            axis: machine axis as named in the machine file.
+            way: way by which the wheel was turned; its sign is the direction; -1000 to 1000 mm, deg.
+            channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
+        """
+        return self._call("handwheel", _given(axis=axis, way=way, channel=channel, seen_cycle=seen_cycle))
 
     def home(
         self,

@@ -206,6 +206,28 @@ TEST_P(MoveAside, AResetLeavesTheAxesWhereTheyAre) {
   }
 }
 
+// The rapid override may lower it further; the feed is what it was.
+TEST(FirstPart, RapidTraverseKeepsToAQuarter) {
+  const auto fastest = [](int is_first, double override_percent) {
+    MachineBench bench(testing::two_channel_machine(), {.on_at_start = true});
+    bench.program("p.nc", "G0 X200\nG1 X0 F6000\nM30\n");
+    bench.ask(OperatorAction::first_part, 1, "", 0.0, is_first);
+    bench.ask(OperatorAction::override_rapid, 1, "", 0.01 * override_percent);
+    bench.run(1, "p.nc");
+    std::array<double, 2> speeds{};
+    bench.run_to_end([&](const CycleOutput& output) {
+      const ChannelOutput& channel = output.channels[0];
+      double& speed = speeds[channel.feed_commanded > 0.0 ? 1 : 0];
+      speed = std::max(speed, channel.path_speed);
+    });
+    return speeds;
+  };
+  EXPECT_NEAR(fastest(0, 100.0)[0], 250.0, 1e-6);
+  EXPECT_NEAR(fastest(1, 100.0)[0], 0.25 * 250.0, 1e-6);
+  EXPECT_NEAR(fastest(1, 10.0)[0], 0.10 * 250.0, 1e-6);
+  EXPECT_NEAR(fastest(1, 100.0)[1], 100.0, 1e-6);
+}
+
 class Refusals : public ::testing::Test {
  protected:
   std::string code_of(const OperatorCommand& command) {

@@ -123,6 +123,7 @@ json parameters_of(const protocol::Method& method) {
       {"offset.set", {{"offset", "G54"}, {"axis", "X"}, {"value", 1.0}}},
       {"mdi", {{"text", "G4 P0.01"}}},
       {"jog", {{"axis", "Y"}, {"velocity", 5.0}}},
+      {"handwheel", {{"axis", "Y"}, {"way", 0.1}}},
       {"process.interrupt", {{"la", 0.0}}},
       {"scope.start", {{"signals", "cycle.time"}}},
       {"process.automatic", {{"law", "linear"}, {"on", 1}}},

@@ -147,6 +147,7 @@ export interface Methods {
       feed_mm_rev: number;
       feed_mm_s: number;
       file: string | null;
+      first_part: boolean;
       foreseen: {
         acknowledged?: boolean;
         at: number | null;
@@ -577,6 +578,17 @@ export interface Methods {
     params: {
       on: number;
       channel?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** first part: rapid traverse keeps to 25 %, whatever the rapid override is */
+  "program.first_part": {
+    params: {
+      on: number;
+      channel?: number;
+      seen_cycle?: number;
     };
     result: {
       accepted: boolean;
@@ -1237,6 +1249,18 @@ export interface Methods {
       accepted: boolean;
     };
   };
+  /** move an axis as a handwheel does: the way is added to where the axis goes, and followed as fast as the axis can; what it cannot follow is dropped, so that it stands soon after the wheel */
+  handwheel: {
+    params: {
+      axis: string;
+      way: number;
+      channel?: number;
+      seen_cycle?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
   /** home the axes of a channel in the order of the machine file; finds the home switches or index pulses, and answers when homing is done */
   home: {
     params: {
@@ -1718,6 +1742,7 @@ export const method_roles: Record<MethodName, string> = {
   "program.stop": 'operator',
   "program.reset": 'operator',
   "program.optional_stop": 'operator',
+  "program.first_part": 'operator',
   "program.step": 'operator',
   "program.skip": 'operator',
   "program.unskip": 'operator',
@@ -1757,6 +1782,7 @@ export const method_roles: Record<MethodName, string> = {
   "offset.undo": 'operator',
   mdi: 'operator',
   jog: 'operator',
+  handwheel: 'operator',
   home: 'operator',
   "process.status": 'observer',
   "process.interrupt": 'operator',
@@ -1796,12 +1822,14 @@ export const aged_methods: readonly string[] = [
   'program.return',
   'program.spindles',
   'program.coolant',
+  'program.first_part',
   'override.feed',
   'override.rapid',
   'queue.start',
   'kinematics.select',
   'mdi',
   'jog',
+  'handwheel',
   'home',
 ];
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 namespace stanok::channels {
 namespace {
 
@@ -96,6 +99,81 @@ TEST_F(JogFrom, AStopEndsAllIncrements) {
 TEST_F(JogFrom, AnIncrementDoesNotJoinAJogThatIsHeld) {
   EXPECT_EQ(jog(0.0, 10.0), "");
   EXPECT_EQ(jog(0.0, 10.0, 1.0), "E6056");
+}
+
+// A wheel that is turned by a person: in steps, to and fro, faster than the axis can follow.
+class WheelBench {
+ protected:
+  WheelBench() {
+    ManualAxis axis;
+    axis.limits = {.position_min = -100.0,
+                   .position_max = 100.0,
+                   .velocity_max = 50.0,
+                   .acceleration_max = 500.0,
+                   .jerk_max = 10000.0};
+    manual.set_up({&axis, 1}, 0.001);
+    drive.valid = true;
+    drive.referenced = true;
+  }
+
+  void cycle() {
+    const kinematics::Jet before = position[0];
+    manual.advance({&drive, 1}, position);
+    EXPECT_LE(std::abs(position[0].value), 100.0 + 1e-9);
+    EXPECT_LE(std::abs(position[0].value - before.value), 50.0 * 0.001 * (1.0 + 1e-9));
+    EXPECT_LE(std::abs(position[0].second), 500.0 * (1.0 + 1e-9));
+    EXPECT_LE(std::abs(position[0].third), 10000.0 * (1.0 + 1e-9));
+  }
+  std::string_view turn(double way) { return manual.turn(0, way, position[0].value, drive); }
+
+  ManualMotion manual;
+  AxisFeedback drive;
+  std::array<kinematics::Jet, 1> position{0.0};
+};
+
+class WheelByChance : public WheelBench, public ::testing::TestWithParam<unsigned> {};
+class Wheel : public WheelBench, public ::testing::Test {};
+
+// At rest within the tenth of a second that it may be behind, a brake, and what a turn back takes.
+TEST_P(WheelByChance, TheAxisStandsSoonAfterIt) {
+  std::mt19937 random(GetParam());
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  const double step = part(random) < 0.5 ? 0.01 : 1.0;
+  for (int k = 0; k < 3000; ++k) {
+    if (part(random) < 0.1) {
+      const std::string_view code = turn(part(random) < 0.7 ? step : -step);
+      EXPECT_TRUE(code.empty() || code == "E6053") << code;
+    }
+    cycle();
+  }
+  int behind = 0;
+  for (; manual.is_active() && behind < 5000; ++behind) cycle();
+  EXPECT_LE(behind, 600);
+  EXPECT_EQ(position[0].first, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hands, WheelByChance, ::testing::Range(1U, 41U));
+
+// What it can follow it follows to the step.
+TEST_F(Wheel, SlowStepsAddUp) {
+  for (int k = 0; k < 200; ++k) {
+    EXPECT_EQ(turn(k < 150 ? 0.01 : -0.01), "");
+    for (int n = 0; n < 20; ++n) cycle();
+  }
+  while (manual.is_active()) cycle();
+  EXPECT_NEAR(position[0].value, 1.0, 1e-9);
+}
+
+TEST_F(Wheel, EndsAtTheEndOfTheTravel) {
+  for (int k = 0; k < 200; ++k) {
+    const std::string_view code = turn(1.0);
+    EXPECT_TRUE(code.empty() || code == "E6053");
+    for (int n = 0; n < 20; ++n) cycle();
+  }
+  while (manual.is_active()) cycle();
+  EXPECT_NEAR(position[0].value, 100.0, 1e-9);
+  EXPECT_EQ(turn(1.0), "E6053");
+  EXPECT_EQ(turn(-1.0), "");
 }
 
 }  // namespace

@@ -64,6 +64,8 @@ std::vector<Recorded> all_commands() {
       {ProgramReturn{12.5}, 31, "program_return", 0, 12.5},
       {SpindleSwitch{Switch::on}, 32, "spindle_switch", 1},
       {CoolantSwitch{Switch::on}, 33, "coolant_switch", 1},
+      {Handwheel{ShortText("X"), -0.5}, 34, "handwheel", 0, -0.5, 0.0, "X"},
+      {FirstPart{Switch::on}, 35, "first_part", 1},
   };
 }
 
@@ -112,7 +114,7 @@ TEST(OperatorCommandTest, FieldsThatAreNotGivenStayEmpty) {
 }
 
 TEST(OperatorCommandTest, WhatNoCommandHasIsNone) {
-  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(34)}));
+  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(36)}));
   EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(255)}));
   EXPECT_FALSE(
       command_of({.action = OperatorAction::process_automatic, .text = ShortText("other")}));

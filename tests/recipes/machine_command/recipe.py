@@ -10,18 +10,18 @@ RECIPE = Recipe("A command that the machine executes", [
      .parameters = of_channel,
      .help = "end single block"},
 """),
-    after("channels/contract/operator_command.h", "  coolant_switch,", "  continuous,"),
+    after("channels/contract/operator_command.h", "  first_part,", "  continuous,"),
     before("channels/contract/operator_command.h", "// The session that has the channel to itself.", """
 // The program no longer stops after each block.
 struct Continuous {};
 """),
     replaced("channels/contract/operator_command.h", """
-    commands::ProgramReturn, commands::SpindleSwitch, commands::CoolantSwitch>;
+    commands::FirstPart>;
 """, """
-    commands::ProgramReturn, commands::SpindleSwitch, commands::CoolantSwitch, commands::Continuous>;
+    commands::FirstPart, commands::Continuous>;
 """),
     after("channels/contract/operator_action.cc", """
-    {Action::coolant_switch, "coolant_switch", Effect::begins, Rule::interlude, Reach::channel},
+    {Action::first_part, "first_part", Effect::none, Rule::always, Reach::channel},
 """, """
     {Action::continuous, "continuous", Effect::none, Rule::always, Reach::channel},
 """),
@@ -37,11 +37,11 @@ struct Continuous {};
   if (std::holds_alternative<commands::Continuous>(command)) notes.single_block = false;
 """),
     after("tests/channels/contract/operator_command_test.cc", """
-      {CoolantSwitch{Switch::on}, 33, "coolant_switch", 1},
+      {FirstPart{Switch::on}, 35, "first_part", 1},
 """, """
-      {Continuous{}, 34, "continuous"},
+      {Continuous{}, 36, "continuous"},
 """),
     replaced("tests/channels/contract/operator_command_test.cc",
-             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(34)}));",
-             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(35)}));"),
+             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(36)}));",
+             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(37)}));"),
 ])
