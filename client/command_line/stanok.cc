@@ -15,6 +15,7 @@
 #include "client/operator/operator_commands.h"
 #include "client/operator/operator_run.h"
 #include "client/operator/panel_command.h"
+#include "client/operator/pendant_command.h"
 #include "client/terminal/exit_codes.h"
 #include "client/terminal/output.h"
 #include "protocol/contract/version.h"
@@ -49,6 +50,7 @@ int run(int argc, char** argv) {
     exit_code = stanok::client::run_operator_call(call);
   });
   stanok::client::add_panel_command(app, socket, exit_code);
+  stanok::client::add_pendant_command(app, socket, exit_code);
   stanok::client::add_offline_commands(app, exit_code);
   try {
     app.parse(argc, argv);
