@@ -228,6 +228,18 @@ test('a step is a step', async () => {
   await page.getByRole('button', { name: 'continuous' }).click();
 });
 
+test('the mouse wheel over the button of an axis is a handwheel', async () => {
+  const distance = page.getByRole('group', { name: 'Distance' });
+  await distance.getByRole('button', { name: '0.1', exact: true }).click();
+  const from = await rests();
+  await page.getByRole('button', { name: 'move X +' }).hover();
+  for (let notch = 0; notch < 7; ++notch) await page.mouse.wheel(0, -100);
+  for (let notch = 0; notch < 2; ++notch) await page.mouse.wheel(0, 100);
+  await until('five tenths', async () => Math.abs((await at()) - from - 0.5) < 1e-6);
+  assert.ok(Math.abs((await rests()) - from - 0.5) < 1e-6);
+  await distance.getByRole('button', { name: 'continuous' }).click();
+});
+
 test('in the directions of the workpiece the axes go as its rotation has them', async () => {
   const choose = (group, name) =>
     page.getByRole('group', { name: group }).getByRole('button', { name, exact: true }).click();

@@ -66,6 +66,16 @@ class Jogging {
     else this.#increment(motion, Number(this.step));
   }
 
+  /** The wheel over the button of an axis is a handwheel: one notch is one step. */
+  turn(axis: string, notches: number, place: Element | null): void {
+    if (!this.armed || this.step === 'hold' || this.frame !== 'machine' || notches === 0) return;
+    this.place = place;
+    const way = notches * Number(this.step);
+    store.call('handwheel', { channel: store.chosen, axis, way }).catch((error: unknown) => {
+      refusals.show(error, this.place);
+    });
+  }
+
   release(): void {
     this.#key = null;
     this.#lease.release();

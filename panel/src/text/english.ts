@@ -158,6 +158,7 @@ export const english = {
   'program.more': 'Start from line, single block, block skip',
   'program.step': 'Single block',
   'program.optional_stop': 'Optional stop (M1)',
+  'program.first_part': 'First part (rapid 25 %)',
   'program.skip': 'Block skip (/)',
   'search.label': 'Start from line, N number, or file:line',
   'search.go': 'Search',

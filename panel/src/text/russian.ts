@@ -156,6 +156,7 @@ export const russian: Record<keyof typeof english, string> = {
   'program.more': 'С середины, по кадру, пропуск',
   'program.step': 'По кадру',
   'program.optional_stop': 'Останов по M1',
+  'program.first_part': 'Первая деталь (ускоренный ход 25 %)',
   'program.skip': 'Пропуск кадров с /',
   'search.label': 'Начать со строки, номера N или файл:строка',
   'search.go': 'Найти',
