@@ -12,6 +12,7 @@
 #include "channels/messages/notice.h"
 #include "channels/preparation/path_feed.h"
 #include "channels/preparation/queue_sink.h"
+#include "channels/stores/channel_tables.h"
 #include "channels/stores/live_tables.h"
 #include "channels/stores/report_book.h"
 #include "lang/run/interpreter.h"

@@ -21,8 +21,6 @@
 #include "channels/contract/tool_row.h"
 #include "channels/contract/tool_value.h"
 #include "channels/messages/request.h"
-#include "kinematics/direction_choice.h"
-#include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
 
 namespace stanok::channels {
@@ -154,46 +152,5 @@ class RowAtWork {
 // entry, or it writes nothing.
 [[nodiscard]] ReasonText implausible_entry(const LiveTables& tables, const Request& request,
                                            NumberedSpan<const int> machine_axes) RT_SAFE;
-
-// The tables as the interpreter of one channel sees them.
-class ChannelTables final : public lang::Tables {
- public:
-  ChannelTables(LiveTables& live, const MachineConfig& machine, const ChannelConfig& channel);
-
-  [[nodiscard]] std::optional<lang::AxisValues> work_offset(int number) const override;
-  [[nodiscard]] double work_offset_rotation(int number) const override;
-  [[nodiscard]] std::optional<lang::Tool> tool(int number) const override;
-  [[nodiscard]] std::optional<lang::Tool> tool_edge(int number, int edge) const override;
-  [[nodiscard]] lang::MachineReading machine_reading() const override { return reading_; }
-  [[nodiscard]] lang::AxisValues reference_point(int which) const override;
-  void store_reference_point(int which, const lang::AxisValues& point_M) override;
-  [[nodiscard]] double common_variable(int number) const override {
-    return live_.variable(channel_, number);
-  }
-  void set_common_variable(int number, double value) override {
-    live_.set_variable(channel_, number, value);
-  }
-
-  [[nodiscard]] lang::AxisSet axes_of_scheme() const override { return axes_of_scheme_; }
-  [[nodiscard]] lang::AxisSet leading_axes() const override;
-
-  [[nodiscard]] lang::Alignment alignment(const lang::AlignmentWish& wish) const override;
-  [[nodiscard]] std::optional<lang::AxisValues> carried_by_table(
-      const lang::AxisValues& point_B, const lang::AxisValues& position_B) const override;
-  [[nodiscard]] std::array<lang::Direction, 3> spindle_axes(
-      const lang::AxisValues& position_B) const override;
-
-  // The scheme that is active from now on; it outlives the tables.
-  void set_scheme(const kinematics::Scheme& scheme);
-
- private:
-  LiveTables& live_;
-  int channel_;
-  std::vector<std::string> axis_names_;
-  AxisList<kinematics::AngleTravel> travel_;  // as the axes read it
-  const kinematics::Scheme* scheme_ = nullptr;
-  lang::MachineReading reading_;
-  lang::AxisSet axes_of_scheme_ = 0;
-};
 
 }  // namespace stanok::channels

@@ -13,6 +13,7 @@
 #include "base/diagnostic.h"
 #include "channels/preparation/path_feed.h"
 #include "channels/preparation/preparation_parts.h"
+#include "channels/stores/channel_tables.h"
 #include "channels/stores/live_tables.h"
 #include "config/files/machine_file.h"
 #include "jobs/dry_run/dry_sink.h"
