@@ -20,6 +20,9 @@ inline constexpr std::size_t riders_in_chain_max = 4096;
 // dry goes on with so much; s.
 inline constexpr double enough_path_s = 2.0;
 
+// With so much of it before the cycle the preparation waits, so that what operators change
+// meanwhile takes effect soon; s.
+inline constexpr double far_ahead_s = 10.0;
 struct ChannelLink {
   motion::PathQueue path;                       // preparation -> cycle
   Ring<Item> items{256};                        // preparation -> cycle

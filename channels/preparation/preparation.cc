@@ -51,6 +51,7 @@ Progress Preparation::work() {
     progress = Progress::worked;
   }
   if (task_ != Task::running) return progress;
+  if (parts_.queue.seconds_free() > far_ahead_s) return progress;
   progress = interpret();
   static_cast<void>(parts_.queue.flush());
   return progress;

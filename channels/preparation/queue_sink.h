@@ -39,6 +39,8 @@ class QueueSink final : public FeedSink {
   [[nodiscard]] bool flush();
   // How long the motion takes that the cycle has before it.
   [[nodiscard]] double seconds_ahead() { return look_ahead_.seconds_in(link_.path); }
+  // Less the last chunk, which the cycle does not enter before the next one is there.
+  [[nodiscard]] double seconds_free() { return look_ahead_.seconds_free_in(link_.path); }
   // Items wait for room, and with them all that comes behind.
   [[nodiscard]] bool holds_items() const { return !pending_items_.empty(); }
   // What was not delivered is dropped.

@@ -31,6 +31,11 @@ class DeliveredChunks {
     if (in_queue_.empty()) seconds_ = 0.0;  // rounding
     return seconds_;
   }
+  // Of those that the consumer may enter: it waits before the last one until the next is known.
+  [[nodiscard]] double seconds_free_in(const PathQueue& queue) {
+    const double all = seconds_in(queue);
+    return in_queue_.empty() ? 0.0 : all - in_queue_.back().time_s;
+  }
 
  private:
   struct InQueue {

@@ -43,6 +43,9 @@ class LookAhead {
 
   // How long what was delivered and the consumer has not done with takes, by whole chunks.
   [[nodiscard]] double seconds_in(const PathQueue& queue) { return delivered_.seconds_in(queue); }
+  [[nodiscard]] double seconds_free_in(const PathQueue& queue) {
+    return delivered_.seconds_free_in(queue);
+  }
 
   // Nothing is pending: all segments taken were committed and delivered.
   [[nodiscard]] bool is_empty() const;
