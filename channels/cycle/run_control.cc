@@ -19,7 +19,8 @@ void RunControl::end_run(RunResult result, std::uint64_t blocks) RT_SAFE {
 void RunControl::hold(HoldCause cause) RT_SAFE {
   stop_by_hand();
   if (!state_.is_running() || state_.is_ending()) return;
-  hold_cause_ = cause;
+  // Who presses hold where another hold lasts does not end its step.
+  if (!holds_path_ || cause != HoldCause::operator_hold) hold_cause_ = cause;
   holds_path_ = true;
   state_.apply(Change::held);
 }

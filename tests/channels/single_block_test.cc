@@ -56,6 +56,20 @@ TEST_F(SingleBlockTest, EachStartLetsOneBlockRun) {
   EXPECT_THAT(stops(), Pointwise(DoubleNear(1e-9), {1.0, 2.0, 5.0}));
 }
 
+// As somebody does who is not sure that it stands.
+TEST_F(SingleBlockTest, HoldPressedBetweenBlocksCostsNoSecondStart) {
+  begin("G1 X1 F6000\nX2\nX3\nM30\n");
+  std::vector<double> found;
+  for (int n = 0; n < 100 && bench.channel(1).state == ChannelState::held; ++n) {
+    found.push_back(x());
+    bench.ask(OperatorAction::program_hold, 1);
+    bench.cycle();
+    EXPECT_TRUE(stands_at_step());
+    next();
+  }
+  EXPECT_THAT(found, Pointwise(DoubleNear(1e-9), {1.0, 2.0, 3.0}));
+}
+
 TEST_F(SingleBlockTest, BlocksThatMoveNothingAreNoStepsButTheirEffectsAre) {
   begin("G21 G90 G94\nF6000\nG1 X1\nM8\nG4 P0.1\nS500 M3 X2\nM30\n");
   EXPECT_THAT(stops(), Pointwise(DoubleNear(1e-9), {1.0, 1.0, 1.0, 2.0}));
