@@ -566,13 +566,14 @@ constexpr auto further_warnings = std::to_array<CatalogueRow>({
 
 constexpr auto rows = [] {
   // The reaction has an initialiser in the row.
-  // NOLINTNEXTLINE(bugprone-invalid-enum-default-initialization)
+  // NOLINTBEGIN(bugprone-invalid-enum-default-initialization)
   std::array<CatalogueRow, alarm_rows.size() + language_rows.size() + further_rows.size() +
                                language_warnings.size() + further_warnings.size()>
       all{};
   auto end_of_rows = std::ranges::copy(alarm_rows, all.begin()).out;
   end_of_rows = std::ranges::copy(language_rows, end_of_rows).out;
   end_of_rows = std::ranges::copy(further_rows, end_of_rows).out;
+  // NOLINTEND(bugprone-invalid-enum-default-initialization)
   end_of_rows = std::ranges::copy(language_warnings, end_of_rows).out;
   std::ranges::copy(further_warnings, end_of_rows);
   return all;

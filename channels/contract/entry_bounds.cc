@@ -65,7 +65,7 @@ void append_number(Text& text, double value) RT_SAFE {
     text.append("more than 1e12");
     return;
   }
-  const auto thousandths = static_cast<long>(magnitude * 1000.0 + 0.5);
+  const auto thousandths = std::lround(magnitude * 1000.0);
   text.append(thousandths / 1000);
   long rest = thousandths % 1000;
   if (rest == 0) return;

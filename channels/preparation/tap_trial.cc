@@ -44,7 +44,8 @@ bool TapTrial::succeeds_at(double rev_per_min) const {
   IdealSpindle ideal(spindle, rev_per_min, cycle_s);
   motion::SynchronousRun run(cycle_s);
   run.begin(chain.coupling, length);
-  for (double time = 0.0; time < trial_max_s && !run.is_over(); time += cycle_s) {
+  const std::int64_t cycles_max = std::llround(trial_max_s / cycle_s);
+  for (std::int64_t n = 0; n < cycles_max && !run.is_over(); ++n) {
     static_cast<void>(run.advance(ideal.coming(), {}));
     if (run.is_lost()) return false;
     ideal.obey(run.order());

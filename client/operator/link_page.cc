@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <thread>
 
 #include "base/file_descriptor.h"
 #include "base/place.h"
@@ -20,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A browser that is not in memory yet takes its time.
-constexpr unsigned page_time_s = 30;
+constexpr auto page_time = std::chrono::seconds(30);
 
 // The folder of this login, which only its user enters; else the one for temporary files.
 fs::path folder_for_pages() {
@@ -72,7 +74,7 @@ std::optional<fs::path> written_page(const std::string& link) {
   std::string folder = (folder_for_pages() / "stanok-XXXXXX").string();
   if (::mkdtemp(folder.data()) == nullptr) return std::nullopt;
   constexpr ::mode_t only_for_owner = 0600;
-  const fs::path page = fs::path(folder) / "panel.html";
+  fs::path page = fs::path(folder) / "panel.html";
   const FileDescriptor file(
       ::open(page.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, only_for_owner));
   const std::string text = page_to(link);
@@ -105,7 +107,7 @@ void remove_later(const fs::path& page) {
   if (process > 0) return;
   ::setsid();
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::close(stream);
-  ::sleep(page_time_s);
+  std::this_thread::sleep_for(page_time);
   remove_page(page);
   ::_exit(0);
 }

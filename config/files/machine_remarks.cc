@@ -1,6 +1,7 @@
 #include "config/files/machine_remarks.h"
 
 #include "channels/contract/machine_config.h"
+#include "config/text/key_table.h"
 
 namespace stanok::config {
 

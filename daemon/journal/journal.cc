@@ -64,9 +64,13 @@ Journal::~Journal() {
   if (!thread_.joinable()) return;
   thread_.request_stop();
   thread_.join();
-  write();
-  add({{"kind", journal_kind::end}});
-  write();
+  try {
+    write();
+    add({{"kind", journal_kind::end}});
+    write();
+  } catch (const std::exception& fault) {
+    spdlog::error("the journal lacks its end: {}", fault.what());
+  }
 }
 
 void Journal::add(json record) {
@@ -145,7 +149,8 @@ void Journal::note_outcome(const std::optional<std::string>& fault) {
     spdlog::error("the journal cannot be saved: {}; the daemon tries again", *fault);
     try {
       on_fault_(*fault);
-    } catch (const std::exception&) {  // no memory to say it with; the log has it
+    } catch (const std::exception& untold) {
+      spdlog::error("operators cannot be told: {}", untold.what());
     }
   }
   if (is_over) spdlog::info("the journal is being saved again");

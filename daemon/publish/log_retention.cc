@@ -78,7 +78,7 @@ LogLimits log_limits_of(const config::RecorderConfig& config) {
   if (limits.bytes_max == 0) return limits;
   limits.piece_bytes_max = std::min(limits.piece_bytes_max, limits.bytes_max / pieces_min);
   limits.bytes_between_looks =
-      std::min(limits.bytes_between_looks, limits.bytes_max / (2 * pieces_min));
+      std::min(limits.bytes_between_looks, limits.bytes_max / (std::int64_t{2} * pieces_min));
   return limits;
 }
 

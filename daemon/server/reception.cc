@@ -129,7 +129,7 @@ void Reception::Parts::accept() {
     if (stopped) return;
     error_code error;
     LocalSocket::socket socket(io);
-    acceptor.accept(socket, error);
+    static_cast<void>(acceptor.accept(socket, error));  // the error is the same
     if (!error) admit(std::move(socket));
     if (!error || error == asio::error::would_block) return accept();
     if (reserve.give_up_one() || sessions.end_oldest_turned_away(std::chrono::steady_clock::now()))

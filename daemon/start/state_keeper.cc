@@ -37,7 +37,7 @@ void StateKeeper::keep(Done done) {
 }
 
 // Under the lock, which is given up meanwhile.
-void StateKeeper::save_for(std::vector<Done> waiting) {
+void StateKeeper::save_for(const std::vector<Done>& waiting) {
   mutex_.unlock();
   const auto fault = try_to_save();
   for (const Done& done : waiting) done(fault);
@@ -65,7 +65,8 @@ std::optional<std::string> StateKeeper::try_to_save() {
 void StateKeeper::tell(const std::string& fault) {
   try {
     on_fault_(kind_.name, fault);
-  } catch (const std::exception&) {
+  } catch (const std::exception& untold) {
+    spdlog::error("operators cannot be told: {}", untold.what());
   }
 }
 

@@ -44,7 +44,7 @@ class StateKeeper {
   [[nodiscard]] std::optional<std::string> try_to_save();
   [[nodiscard]] std::optional<std::string> save_when_changed();
   void tell(const std::string& fault);
-  void save_for(std::vector<Done> waiting);
+  void save_for(const std::vector<Done>& waiting);
 
   std::filesystem::path file_;
   DurableKind kind_;

@@ -59,7 +59,7 @@ RowsOrError write_process_csv(const std::filesystem::path& log, int channel, std
 
 RowsOrError write_process_npz(const std::filesystem::path& log, int channel,
                               const std::filesystem::path& npz) {
-  const auto count = count_process_rows(log, channel);
+  auto count = count_process_rows(log, channel);
   if (!count) return count;
   const auto file = NpzFile::create(npz, process_arrays(*count));
   if (!file) return not_written(file.error());

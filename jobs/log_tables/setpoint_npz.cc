@@ -24,7 +24,7 @@ NpyArray array_of_field(const SetpointField& field, std::int64_t rows, std::int6
   if (field.is_of_axes()) shape.push_back(axis_count);
   return std::visit(
       [&]<class Kind>(const Kind&) {
-        using Number = typename recording::NumberOfSource<Kind>::type;
+        using Number = typename recording::NumberOfSource<Kind>::Type;
         return npy_array<Number>(std::string(field.name), shape);
       },
       field.source);

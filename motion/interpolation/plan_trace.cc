@@ -71,6 +71,45 @@ bool PlanTrace::go_to(Place& place, double time) const RT_SAFE {
   return true;
 }
 
+// The place and the time of the next evaluation: the end of the interval, of the phase or of the
+// segment, whatever comes first.
+PlanTrace::Step PlanTrace::step_from(const Place& place, double t, double end) const RT_SAFE {
+  const Phase phase = phase_at(place.phase);
+  const double phase_end = place.phase_begin + phase.duration;
+  Step step{.until = std::min(phase_end, end)};
+  const double segment_end = place.segment_begin + queue_->segments[place.segment].length;
+  const double s_until = motion_at(phase, step.until - place.phase_begin).s;
+  step.crosses = segment_end < s_until && place.segment + 1 < segments_;
+  if (step.crosses)
+    step.until = std::clamp(place.phase_begin + time_at(phase, segment_end), t, step.until);
+  step.segment_end = segment_end;
+  return step;
+}
+
+void PlanTrace::include(const Axes& axes, Node& here) const RT_SAFE {
+  for (int k = 0; k < config_.axis_count; ++k) {
+    here.jerk[k].low = std::min(here.jerk[k].low, axes[k].jerk);
+    here.jerk[k].high = std::max(here.jerk[k].high, axes[k].jerk);
+  }
+}
+
+void PlanTrace::begin_node(const Axes& axes, Node& here) const RT_SAFE {
+  here.bend = 0.0;
+  for (int k = 0; k < config_.axis_count; ++k) {
+    here.jerk[k] = {axes[k].jerk, axes[k].jerk};
+    here.velocity[k] = axes[k].velocity;
+    here.acceleration[k] = here.bent[k] = axes[k].acceleration;
+  }
+}
+
+// Of the jerk of an axis, as a part of its limit.
+double PlanTrace::largest_change(const Axes& before, const Axes& axes) const RT_SAFE {
+  double change = 0.0;
+  for (int k = 0; k < config_.axis_count; ++k)
+    change = std::max(change, std::abs(axes[k].jerk - before[k].jerk) / config_.axes[k].jerk_max);
+  return change;
+}
+
 // The next interval, which begins at `place`. Between the ends of phases and of segments the jerk
 // is smooth: what it comes to counts from both sides of each.
 void PlanTrace::add(Place& place, double time) RT_SAFE {
@@ -79,63 +118,37 @@ void PlanTrace::add(Place& place, double time) RT_SAFE {
   Node& here = node(size_);
   Node& next = node(size_ + 1);
   Axes axes;
-  Axes before;
-  double change_max = 0.0;  // of the jerk of an axis, as a part of its limit
-  const auto include = [&](bool is_first) RT_SAFE {
-    for (int k = 0; k < config_.axis_count; ++k) {
-      const double jerk = axes[k].jerk;
-      here.jerk[k].low = is_first ? jerk : std::min(here.jerk[k].low, jerk);
-      here.jerk[k].high = is_first ? jerk : std::max(here.jerk[k].high, jerk);
-    }
-  };
-  // Behind an evaluation at a place where the jerk changes.
-  const auto note_bend = [&](double t) RT_SAFE {
-    double change = 0.0;
-    for (int k = 0; k < config_.axis_count; ++k)
-      change = std::max(change, std::abs(axes[k].jerk - before[k].jerk) / config_.axes[k].jerk_max);
-    if (change <= change_max || t <= begin || t >= end) return;
-    change_max = change;
-    here.bend = (t - begin) / step_;
-    for (int k = 0; k < config_.axis_count; ++k) here.bent[k] = axes[k].acceleration;
-  };
+  double change_max = 0.0;
   evaluate_at(place, begin, axes);
-  include(true);
-  here.bend = 0.0;
-  for (int k = 0; k < config_.axis_count; ++k) {
-    here.velocity[k] = axes[k].velocity;
-    here.acceleration[k] = here.bent[k] = axes[k].acceleration;
-  }
+  begin_node(axes, here);
   const std::size_t most = evaluations_ + evaluations_interval - 3;
   double t = begin;
   while (t < end) {
-    const Phase phase = phase_at(place.phase);
-    const double phase_end = place.phase_begin + phase.duration;
-    double until = std::min(phase_end, end);
-    const double segment_end = place.segment_begin + queue_->segments[place.segment].length;
-    const double s_until = motion_at(phase, until - place.phase_begin).s;
-    const bool crosses = segment_end < s_until && place.segment + 1 < segments_;
-    if (crosses) until = std::clamp(place.phase_begin + time_at(phase, segment_end), t, until);
+    Step step = step_from(place, t, end);
     if (evaluations_ >= most) {  // so short are the segments that not each of them is looked at
-      until = end;
-      if (!go_to(place, until)) break;
+      step.until = end;
+      if (!go_to(place, end)) break;
     }
-    evaluate_at(place, until, axes);
-    include(false);
-    t = until;
+    evaluate_at(place, step.until, axes);
+    include(axes, here);
+    t = step.until;
     if (t >= end) break;
-    if (crosses) {
-      place.segment_begin = segment_end;
+    if (step.crosses) {
+      place.segment_begin = step.segment_end;
       ++place.segment;
     } else if (!go_to(place, t)) {
-      for (int k = 0; k < config_.axis_count; ++k)
-        axes[k] = {};  // at rest, if the chain ends there
-      include(false);
+      axes = {};  // at rest, if the chain ends there
+      include(axes, here);
       break;
     }
-    before = axes;
+    const Axes before = axes;
     evaluate_at(place, t, axes);
-    include(false);
-    note_bend(t);
+    include(axes, here);
+    const double change = largest_change(before, axes);
+    if (change <= change_max || t <= begin) continue;
+    change_max = change;
+    here.bend = (t - begin) / step_;
+    for (int k = 0; k < config_.axis_count; ++k) here.bent[k] = axes[k].acceleration;
   }
   for (int k = 0; k < config_.axis_count; ++k) {
     next.velocity[k] = axes[k].velocity;

@@ -103,6 +103,13 @@ class PlanTrace {
     double segment_begin = 0.0;  // s
   };
 
+  // To the next evaluation of the path.
+  struct Step {
+    double until = 0.0;  // time
+    bool crosses = false;
+    double segment_end = 0.0;  // s
+  };
+
   static double between(double one, double other, double part) RT_SAFE {
     return one + part * (other - one);
   }
@@ -112,6 +119,10 @@ class PlanTrace {
   [[nodiscard]] Node& node(std::size_t index) RT_SAFE { return nodes_[index % nodes_.size()]; }
   [[nodiscard]] Phase phase_at(std::size_t index) const RT_SAFE;
   [[nodiscard]] bool go_to(Place& place, double time) const RT_SAFE;
+  [[nodiscard]] Step step_from(const Place& place, double t, double end) const RT_SAFE;
+  void include(const Axes& axes, Node& here) const RT_SAFE;
+  void begin_node(const Axes& axes, Node& here) const RT_SAFE;
+  [[nodiscard]] double largest_change(const Axes& before, const Axes& axes) const RT_SAFE;
   void add(Place& place, double time) RT_SAFE;
   void rest() RT_SAFE;
   void evaluate_at(const Place& place, double time, Axes& axes) RT_SAFE;

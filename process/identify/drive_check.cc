@@ -51,6 +51,7 @@ class CutReadings {
 
   [[nodiscard]] Stretches by_time() const {
     std::vector<double> time_s;
+    time_s.reserve(rows_.size());
     for (const std::size_t row : rows_)
       time_s.push_back(static_cast<double>(row) * record_.cycle_s);
     return stretches(time_s, Along::time);
@@ -59,6 +60,7 @@ class CutReadings {
   [[nodiscard]] Stretches by_place() const {
     std::vector<double> way;
     if (record_.z_mm.size() != record_.power_w.size()) return {};
+    way.reserve(rows_.size());
     for (const std::size_t row : rows_) way.push_back(-record_.z_mm[row]);
     Stretches along = stretches(way, Along::place);
     for (double& begin : along.begins) begin = -begin;
@@ -70,6 +72,7 @@ class CutReadings {
   // With as many readings of the cut each.
   [[nodiscard]] Stretches stretches(const std::vector<double>& place, Along along) const {
     std::vector<double> sorted;
+    sorted.reserve(in_cut_.size());
     for (const std::size_t k : in_cut_) sorted.push_back(place[k]);
     std::ranges::sort(sorted);
     constexpr std::size_t readings_least = 8;

@@ -64,6 +64,7 @@ std::size_t usual_run(const DriveRecord& record, const std::vector<std::size_t>&
 // The least difference between two readings; 0: too few of them differ.
 double step_of(const DriveRecord& record, const std::vector<std::size_t>& rows) {
   std::vector<double> values;
+  values.reserve(rows.size());
   for (const std::size_t row : rows) values.push_back(record.power_w[row]);
   std::ranges::sort(values);
   constexpr int values_least = 5;

@@ -42,7 +42,7 @@ std::vector<std::string> SetpointColumns::names() {
 SetpointColumns::Values SetpointColumns::values_for(const SetpointField::Source& source) {
   return std::visit(
       []<class Kind>(const Kind&) -> Values {
-        return std::vector<typename recording::NumberOfSource<Kind>::type>();
+        return std::vector<typename recording::NumberOfSource<Kind>::Type>();
       },
       source);
 }

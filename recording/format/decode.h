@@ -25,7 +25,7 @@ namespace stanok::recording {
 template <class Message>
 [[nodiscard]] std::optional<Message> decode(std::span<const std::uint8_t> bytes) {
   if (bytes.size() > std::numeric_limits<int>::max()) return std::nullopt;
-  Message message;
+  Message message{};
   const int size = static_cast<int>(bytes.size());
   try {
     if (message.decode(bytes.data(), 0, size) != size) return std::nullopt;

@@ -35,11 +35,11 @@ template <class Kind>
 struct NumberOfSource;
 template <>
 struct NumberOfSource<SetpointField::Time> {
-  using type = double;
+  using Type = double;
 };
 template <class Member>
 struct NumberOfSource<Member setpoint_t::*> {
-  using type = std::remove_all_extents_t<Member>;
+  using Type = std::remove_all_extents_t<Member>;
 };
 
 [[nodiscard]] const std::vector<SetpointField>& setpoint_fields();

@@ -133,7 +133,7 @@ class FakeMachine final : public RunningMachine {
     status.kept = {.files = 7,
                    .bytes = 70,
                    .bytes_max = 1000,
-                   .age_max_s = 48 * 3600,
+                   .age_max_s = std::int64_t{48} * 3600,
                    .free_bytes = 5000,
                    .free_bytes_min = 0};
     return status;

@@ -191,7 +191,7 @@ TEST_F(LogRest, OfADayTakesLittle) {
   }
   end();
   constexpr std::int64_t of_the_beginning = 50'000;
-  EXPECT_LT(size_of(file), of_the_beginning + 20'000'000LL * minutes / (24 * 60));
+  EXPECT_LT(size_of(file), of_the_beginning + 20'000'000LL * minutes / (24LL * 60));
   RecordProperty("bytes", std::to_string(size_of(file)));
   const auto contents = read_contents(file);
   ASSERT_TRUE(contents);

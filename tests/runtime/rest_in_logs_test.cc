@@ -114,7 +114,7 @@ class FlickeringMill {
 TEST(RestInLogs, ADayOfRestHasTwentyMegabytesAndRepeats) {
   constexpr std::int64_t minutes = 5;
   constexpr std::int64_t cycles = minutes * 60'000;
-  constexpr std::int64_t of_a_day = 24 * 60 / minutes;
+  constexpr std::int64_t of_a_day = std::int64_t{24} * 60 / minutes;
   FlickeringMill mill;
   mill.run(200);
   std::int64_t before = mill.bytes();

@@ -122,7 +122,8 @@ json random_record(std::mt19937& chance, std::map<int, std::uint64_t>& runs,
       return place(channel, runs[channel], static_cast<int>(chance() % 100),
                    1.0 * static_cast<double>(chance() % 1000));
     case 3: {
-      AlarmReport report = alarm(channel, ++alarms[channel], chance() % 2);
+      AlarmReport report =
+          alarm(channel, ++alarms[channel], static_cast<std::int64_t>(chance() % 2));
       report.diagnostic.place.line = static_cast<int>(chance() % 50);
       return alarm_record(report);
     }
@@ -158,7 +159,7 @@ TEST(JournalContents, SaysTheSameFromItsOwnRecords) {
   }
   EXPECT_EQ(shown(short_one), shown(long_one));
   EXPECT_LE(short_one.records().size(),
-            1 + JournalContents::actions_max + 3 * 4 * JournalContents::kept_max);
+            1 + JournalContents::actions_max + std::size_t{3} * 4 * JournalContents::kept_max);
 }
 
 }  // namespace

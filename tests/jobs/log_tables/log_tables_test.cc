@@ -33,7 +33,7 @@ channels::CycleOutput cut_of(std::int64_t cycle) {
   channels::ProcessOutput& process = output.channels[0].process;
   const double t = static_cast<double>(cycle);
   process.law = motion::LawKind::interrupted;
-  process.stands = cycle % (2 * period) == 0;
+  process.stands = cycle % (std::int64_t{2} * period) == 0;
   process.increments = 1'000'000 + static_cast<std::uint64_t>(cycle);
   process.feed_mm_per_min = 100.0 + std::sin(t);
   process.feed_mm_per_rev = 0.1 + 1e-3 * std::cos(t);
