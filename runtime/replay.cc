@@ -143,7 +143,8 @@ class Repetition {
         machine_(config_, files, force_controls_.given_to(beginning.setup.options)),
         feedback_(config_.axes.size()),
         sensors_(config_.spindles.size()),
-        arrivals_(config_.channels.size()) {
+        arrivals_(config_.channels.size()),
+        recorded_(config_.channels.size()) {
     for (const auto& [channel, scheme] : beginning.setup.schemes)
       static_cast<void>(machine_.select_scheme_at_start(channel, scheme));
   }
@@ -151,9 +152,14 @@ class Repetition {
   // What the next cycles are given.
   void add(LogPart& part) {
     has_feedback_ = has_feedback_ || !part.feedback.empty();
-    pending_inputs_.add(part.inputs);
-    pending_feedback_.add(part.feedback);
-    pending_arrivals_.add(part.arrivals);
+    for (const channels::InputRecord& input : part.inputs) know(input);
+    pending_.inputs.add(part.inputs);
+    pending_.feedback.add(part.feedback);
+    for (const RecordedArrival& arrival : part.arrivals) {
+      if (const int index = index_of(arrival.channel); index >= 0)
+        recorded_[index].known = arrival.value;
+    }
+    pending_.arrivals.add(part.arrivals);
   }
 
   // The next cycle. What it needs of the program has been prepared: at least as far ahead as in the
@@ -161,9 +167,9 @@ class Repetition {
   const channels::CycleOutput& cycle() {
     const std::int64_t cycle = output_.cycle + 1;
     events_.clear();
-    pending_inputs_.take_up_to(cycle, [&](const channels::InputRecord& input) { take(input); });
-    pending_feedback_.take_up_to(cycle, [&](const RecordedFeedback& told) { take(told); });
-    pending_arrivals_.take_up_to(cycle, [&](const RecordedArrival& arrival) {
+    pending_.inputs.take_up_to(cycle, [&](const channels::InputRecord& input) { take(input); });
+    pending_.feedback.take_up_to(cycle, [&](const RecordedFeedback& told) { take(told); });
+    pending_.arrivals.take_up_to(cycle, [&](const RecordedArrival& arrival) {
       if (const int index = index_of(arrival.channel); index >= 0) arrivals_[index] = arrival.value;
     });
     prepare();
@@ -178,6 +184,12 @@ class Repetition {
   }
 
  private:
+  void know(const channels::InputRecord& input) {
+    const auto* const taking = std::get_if<channels::TableTaking>(&input.content);
+    const int index = taking != nullptr ? index_of(input.channel) : -1;
+    if (index >= 0) recorded_[index].takings.push_back(*taking);
+  }
+
   // A preparation that only computes goes on until it has made what the recorded cycle saw.
   void prepare() {
     bool worked = true;
@@ -189,7 +201,7 @@ class Repetition {
     }
   }
   bool prepare_step(int channel) {
-    const channels::Progress progress = machine_.prepare(channel);
+    const channels::Progress progress = machine_.prepare(channel, recorded_[channel]);
     if (progress != channels::Progress::computing) return progress == channels::Progress::worked;
     return !machine_.has_prepared(channel, arrivals_[channel]);
   }
@@ -239,6 +251,8 @@ class Repetition {
   void take(const channels::InputRecord& /*input*/, const channels::Overrun& overrun) {
     gap_ = ClockGaps(config_).gap_of(overrun.periods, machine_);
   }
+  // The preparation repeats it.
+  void take(const channels::InputRecord& /*input*/, const channels::TableTaking& /*taking*/) {}
   // It changed nothing in the cycle.
   void take(const channels::InputRecord& /*input*/, const channels::LostInputs& /*lost*/) {}
 
@@ -276,13 +290,16 @@ class Repetition {
   NumberedList<channels::AxisFeedback> feedback_;
   std::vector<channels::SpindleSensors> sensors_;
   NumberedList<channels::Arrivals> arrivals_;
+  NumberedList<channels::RecordedWork> recorded_;
   Signals signals_;
   channels::ClockGap gap_;  // before the next cycle
   channels::CycleOutput output_;
   std::uint64_t last_id_ = 0;
-  Pending<channels::InputRecord> pending_inputs_;
-  Pending<RecordedFeedback> pending_feedback_;
-  Pending<RecordedArrival> pending_arrivals_;
+  struct {
+    Pending<channels::InputRecord> inputs;
+    Pending<RecordedFeedback> feedback;
+    Pending<RecordedArrival> arrivals;
+  } pending_;
   bool has_feedback_ = false;
 };
 

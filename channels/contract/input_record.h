@@ -30,6 +30,16 @@ struct SpindleInput {
   double value = 0.0;
 };
 
+// Where the preparation of the channel took over what others had written into the tables
+// (channels/stores/table_view.h).
+struct TableTaking {
+  std::uint32_t run = 0;      // of the channel
+  std::uint64_t command = 0;  // before which, counted in the run
+  std::uint64_t version = 0;  // up to this write
+
+  friend bool operator==(const TableTaking&, const TableTaking&) = default;
+};
+
 // Periods passed without a cycle before this one (channels/contract/clock_gap.h).
 struct Overrun {
   std::int64_t periods = 0;
@@ -44,7 +54,7 @@ struct LostInputs {
 struct UnknownInput {};
 
 using InputContent = std::variant<OperatorCommand, DigitalInput, AnalogInput, SpindleInput, Overrun,
-                                  LostInputs, UnknownInput>;
+                                  LostInputs, TableTaking, UnknownInput>;
 
 struct InputRecord {
   std::int64_t cycle = 0;

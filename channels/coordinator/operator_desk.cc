@@ -289,7 +289,7 @@ OffsetPlace offset_place(const LiveTables& tables, std::string_view text) RT_SAF
   offset.remove_suffix(text.size() - blank);
   std::string_view axis = text;
   axis.remove_prefix(blank + 1);
-  return {work_offset_number(offset), tables.column(axis), axis};
+  return {work_offset_number(offset), tables.layout().column(axis), axis};
 }
 
 }  // namespace

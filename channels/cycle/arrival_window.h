@@ -24,6 +24,11 @@ class ArrivalWindow {
 
   // Whether the preparation has made what a recorded cycle saw of it. Not of the cycle.
   [[nodiscard]] bool has_prepared(const Arrivals& recorded) const;
+  // Whether it may make more, where the recorded run is known up to `known`: what influenced the
+  // preparation before it made that is known, too. Not of the cycle.
+  [[nodiscard]] bool may_prepare(const Arrivals& known) const {
+    return known.resets > arrivals_.resets || !has_prepared(known);
+  }
   // At the begin of a cycle.
   void open(const Arrivals& recorded) RT_SAFE;
   // Behind the item that says that a reset is over, the preparation has made nothing but items; all

@@ -38,10 +38,8 @@ class Channel : public CycleParts {
   void advance(std::int64_t cycle, Period period) RT_SAFE;
   void fill(ChannelOutput& output) const RT_SAFE;
 
-  // Whether the preparation has made what a recorded cycle saw of it. Not of the cycle.
-  [[nodiscard]] bool has_prepared(const Arrivals& recorded) const {
-    return arrivals_.has_prepared(recorded);
-  }
+  // How far its preparation is, in a run that is repeated. Not of the cycle.
+  [[nodiscard]] const ArrivalWindow& window() const { return arrivals_; }
 
   // Effects that concern several parts.
   void power(Power to) RT_SAFE;  // off: axes braked and drives off at standstill

@@ -7,6 +7,7 @@
 #include "channels/contract/output.h"
 #include "channels/messages/notice.h"
 #include "channels/stores/event_book.h"
+#include "channels/stores/live_tables.h"
 #include "channels/stores/report_book.h"
 
 namespace stanok::channels {
@@ -31,6 +32,7 @@ struct CycleBooks {
   ReportBook* reports = nullptr;
   Signals* outputs = nullptr;
   const Signals* inputs = nullptr;  // of this cycle
+  const LiveTables* tables = nullptr;
 };
 
 }  // namespace stanok::channels

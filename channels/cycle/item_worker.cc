@@ -290,7 +290,8 @@ void ItemWorker::answer(const ChannelAnswer& answer) RT_SAFE {
   activity_ = Activity::none;
   parts_.link.tell(RequestAnswer{.answer = answer,
                                  .block_skip = parts_.switches.block_skip(),
-                                 .axes_M = parts_.motion.axes_M()});
+                                 .axes_M = parts_.motion.axes_M(),
+                                 .tables = parts_.books.tables->version()});
 }
 
 void ItemWorker::give_up() RT_SAFE {
@@ -314,7 +315,8 @@ Stand ItemWorker::stand() const RT_SAFE {
   return {.scheme = parts_.schemes.active_id(),
           .axes_M = parts_.motion.axes_M(),
           .tool = tool_,
-          .situation = now_.situation};
+          .situation = now_.situation,
+          .tables = parts_.books.tables->version()};
 }
 
 RunStart ItemWorker::run_start() const RT_SAFE {

@@ -150,9 +150,9 @@ struct Machine::Parts {
     }
     std::vector<Channel*> channels;
     for (const ChannelConfig& channel : machine.channels) {
-      seats.push_back(
-          std::make_unique<Seat>(machine, channel, options, files, tables, shared,
-                                 CycleBooks{&events, &reports, &signals_out, &watch.signals()}));
+      seats.push_back(std::make_unique<Seat>(
+          machine, channel, options, files, tables, shared,
+          CycleBooks{&events, &reports, &signals_out, &watch.signals(), &tables}));
       channels.push_back(&seats.back()->channel);
       if (options.on_at_start) channels.back()->power(Power::on);
     }
@@ -187,6 +187,15 @@ struct Machine::Parts {
       gap = {};
     }
     return Period::present;
+  }
+
+  // Before what was made behind them.
+  void note_takings() RT_SAFE {
+    for (const auto& seat : seats) {
+      TableTaking taking;
+      while (seat->link.takings.pop(taking))
+        inputs.note({.cycle = cycle, .channel = seat->channel.id(), .content = taking});
+    }
   }
 
   // Reports of runs and alarms that found no place.
@@ -236,12 +245,18 @@ Progress Machine::prepare(int index) {
   return parts_->seats[index]->preparation.step();
 }
 
+Progress Machine::prepare(int index, RecordedWork& recorded) {
+  Seat& seat = *parts_->seats[index];
+  return seat.preparation.step(&recorded,
+                               [&] { return seat.channel.window().may_prepare(recorded.known); });
+}
+
 bool Machine::is_urgent(int index) const {
   return parts_->seats[index]->preparation.is_urgent();
 }
 
 bool Machine::has_prepared(int index, const Arrivals& recorded) const {
-  return parts_->seats[index]->channel.has_prepared(recorded);
+  return parts_->seats[index]->channel.window().has_prepared(recorded);
 }
 
 bool Machine::select_scheme_at_start(int channel, int scheme) {
@@ -263,6 +278,7 @@ void Machine::cycle(const CycleInputs& inputs, CycleOutput& output) RT_SAFE {
     Channel& channel = parts.seats[k]->channel;
     k < inputs.arrivals.size() ? channel.see_arrivals(inputs.arrivals[k]) : channel.see_arrivals();
   }
+  parts.note_takings();
   parts.coordinator->note_gap(parts.cycle, inputs.gap.periods - inputs.gap.carried);
   for (const OperatorEvent& event : inputs.events) {
     if (!parts.coordinator->admits(event, parts.cycle)) continue;  // no input: it has no effect

@@ -22,6 +22,7 @@
 #include "channels/contract/output.h"
 #include "channels/contract/progress.h"
 #include "channels/contract/reports.h"
+#include "channels/messages/recorded_work.h"
 #include "lang/contract/environment.h"
 
 namespace stanok::channels {
@@ -67,6 +68,8 @@ class Machine {
 
   // Channel `index` counts from 0. One thread per channel at most.
   [[nodiscard]] Progress prepare(int index);
+  // The same of a run that is repeated; not while a cycle runs.
+  [[nodiscard]] Progress prepare(int index, RecordedWork& recorded);
   // Whether the axes of channel `index` may come to rest in the cut where its preparation is late;
   // from the thread that prepares it.
   [[nodiscard]] bool is_urgent(int index) const;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "base/ring.h"
+#include "channels/contract/input_record.h"
 #include "channels/messages/item.h"
 #include "channels/messages/notice.h"
 #include "motion/path/path_queue.h"
@@ -19,15 +20,16 @@ inline constexpr std::size_t riders_in_chain_max = 4096;
 // Motion that is to be before the cycle: with less the preparation is urgent, and a path that ran
 // dry goes on with so much; s.
 inline constexpr double enough_path_s = 2.0;
-
 // With so much of it before the cycle the preparation waits, so that what operators change
 // meanwhile takes effect soon; s.
 inline constexpr double far_ahead_s = 10.0;
+
 struct ChannelLink {
   motion::PathQueue path;                       // preparation -> cycle
   Ring<Item> items{256};                        // preparation -> cycle
   Ring<Rider> riders{2 * riders_in_chain_max};  // preparation -> cycle
   Ring<Remark> remarks{1024};                   // preparation -> cycle
+  Ring<TableTaking> takings{64};                // preparation -> cycle
   Ring<Notice> notices{16};                     // cycle -> preparation
 
   // The cycle. Bound: a load or search, a start, a switch and an answer are each asked for one at a

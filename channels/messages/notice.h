@@ -32,6 +32,7 @@ struct Stand {
   motion::Point axes_M{};
   ToolAtWork tool{};
   std::uint32_t situation = 0;  // that the cycle shows
+  std::uint64_t tables = 0;     // number of the newest write of the tables
 };
 
 // What a run begins with.
@@ -78,6 +79,7 @@ struct RequestAnswer {
   ChannelAnswer answer;
   std::uint16_t block_skip = 0;  // levels that are skipped from now on
   motion::Point axes_M{};        // where the axes stand
+  std::uint64_t tables = 0;      // number of the newest write of the tables
 };
 
 // Forget run and path, then say so with the item ResetDone.

@@ -19,9 +19,9 @@ Preparation::Preparation(const MachineConfig& machine, const ChannelConfig& chan
              }),
       search_(parts_) {}
 
-Progress Preparation::step() {
+Progress Preparation::step(RecordedWork* recorded, const std::function<bool()>& may_go_on) {
   try {
-    return work();
+    return work({recorded, may_go_on});
   } catch (const std::bad_alloc&) {
     break_off("E8002", "there is not enough memory for the program");
   } catch (const std::exception& fault) {
@@ -39,7 +39,7 @@ void Preparation::break_off(std::string_view code, std::string_view reason) {
                     .content = BrokenOff{code, reason}});
 }
 
-Progress Preparation::work() {
+Progress Preparation::work(const Guide& guide) {
   Progress progress = Progress::blocked;
   if (!link_.notices.empty()) {
     obey_notices();
@@ -50,9 +50,13 @@ Progress Preparation::work() {
     settle(*std::exchange(question_, std::nullopt));
     progress = Progress::worked;
   }
-  if (task_ != Task::running) return progress;
-  if (parts_.queue.seconds_free() > far_ahead_s) return progress;
-  progress = interpret();
+  if (task_ != Task::running) {
+    follow_tables();
+    return progress;
+  }
+  const bool is_far_ahead = guide.recorded == nullptr && parts_.queue.seconds_free() > far_ahead_s;
+  if (is_far_ahead) return progress;
+  progress = interpret(guide);
   static_cast<void>(parts_.queue.flush());
   return progress;
 }
@@ -79,6 +83,7 @@ void Preparation::obey(const LineLoad& load) {
 }
 
 void Preparation::obey(const BlockSearch& search) {
+  parts_.tables.advance_to(search.start.stand.tables);
   shelf_.use(search.start.load);
   task_ = Task::running;
   static_cast<void>(use_result(search_.look(search, shelf_.program())));
@@ -110,6 +115,9 @@ void Preparation::obey(const LineStart& notice) {
 
 void Preparation::begin_run(const RunStart& start, std::shared_ptr<const lang::Program> program,
                             const std::string& name) {
+  run_ = start.run;
+  command_ = 0;
+  parts_.tables.advance_to(start.stand.tables);
   situations_.begin_run(start.run);
   static_cast<void>(parts_.interpreter.take_meanings());  // of a search
   numbered_.clear();
@@ -144,6 +152,7 @@ void Preparation::name_files() {
 }
 
 void Preparation::obey(const RequestAnswer& notice) {
+  parts_.tables.advance_to(notice.tables);
   if (task_ != Task::waiting_answer) return;
   BlockPreparation& blocks = parts_.feed.blocks();
   const ChannelAnswer& told = notice.answer;
@@ -174,6 +183,7 @@ void Preparation::obey(const RequestAnswer& notice) {
 }
 
 void Preparation::obey(const PathReset& reset) {
+  parts_.tables.advance_to(reset.stand.tables);
   task_ = Task::idle;
   search_.forget_entry();
   search_.forget();
@@ -194,6 +204,7 @@ void Preparation::obey(const Settle& question) {
 }
 
 void Preparation::settle(const Settle& question) {
+  parts_.tables.advance_to(question.stand.tables);
   parts_.interpreter.take_changed_rows(question.rows);
   parts_.stand(question.stand);
   settle_feed();
@@ -227,11 +238,12 @@ void Preparation::settle_feed() {
   parts_.feed.set_situation(situation_);
 }
 
-Progress Preparation::interpret() {
+Progress Preparation::interpret(const Guide& guide) {
   if (search_.is_under_way()) return use_result(search_.advance(commands_per_step));
   const QueueSink& queue = parts_.queue;
   Progress progress = Progress::computing;
   for (int n = 0; n < commands_per_step && task_ == Task::running && !queue.holds_items(); ++n) {
+    if (!take_tables(guide)) return n > 0 ? progress : Progress::blocked;
     switch (next_command()) {
       case lang::Step::command:
         take_meanings();
@@ -255,6 +267,36 @@ Progress Preparation::interpret() {
     }
   }
   return queue.holds_items() ? Progress::worked : progress;
+}
+
+// What others have written into the tables counts from here on. False: it is not known yet what the
+// recorded run took here.
+bool Preparation::take_tables(const Guide& guide) {
+  if (guide.recorded != nullptr) return repeat_takings(guide);
+  ChannelTables& tables = parts_.tables;
+  const std::uint64_t newest = tables.newest_version();
+  // With a notice to come tables go on anyway, as far as it says.
+  if (newest == tables.view().version() || !link_.notices.empty()) return true;
+  if (link_.takings.space() == 0) return true;
+  tables.advance_to(newest);
+  static_cast<void>(link_.takings.push({run_, command_, tables.view().version()}));
+  return true;
+}
+
+bool Preparation::repeat_takings(const Guide& guide) {
+  if (!guide.may_go_on()) return false;
+  while (const TableTaking* taking = guide.recorded->at(run_, command_)) {
+    if (taking->version > parts_.tables.newest_version()) return false;
+    parts_.tables.advance_to(taking->version);
+    guide.recorded->takings.pop_front();
+  }
+  return true;
+}
+
+// While nothing is read: whatever notice comes next is of a later write, or of this one.
+void Preparation::follow_tables() {
+  const std::uint64_t newest = parts_.tables.newest_version();
+  if (link_.notices.empty()) parts_.tables.advance_to(newest);
 }
 
 Progress Preparation::use_result(SearchRunner::Result result) {
@@ -281,6 +323,7 @@ Progress Preparation::use_result(SearchRunner::Result result) {
 
 // Of the entry of a run in the middle first, then of the interpreter.
 lang::Step Preparation::next_command() {
+  ++command_;
   if (search_.next_entry(parts_.command)) return lang::Step::command;
   return parts_.interpreter.next(parts_.command);
 }

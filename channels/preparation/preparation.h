@@ -6,6 +6,7 @@
 // program, and nothing of a run that a reset has ended.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 
 #include "channels/contract/progress.h"
 #include "channels/messages/channel_link.h"
+#include "channels/messages/recorded_work.h"
 #include "channels/preparation/preparation_parts.h"
 #include "channels/preparation/program_shelf.h"
 #include "channels/preparation/search_runner.h"
@@ -29,7 +31,10 @@ class Preparation {
 
   // A fault of our own, or memory that is missing, ends what the channel does with an alarm; its
   // axes stop along the path that the cycle has.
-  [[nodiscard]] Progress step();
+  [[nodiscard]] Progress step() { return step(nullptr, {}); }
+  // The same of a run that is repeated. `may_go_on`: more was made in it than has been made by now,
+  // as far as it is known.
+  [[nodiscard]] Progress step(RecordedWork* recorded, const std::function<bool()>& may_go_on);
   // A run is prepared, and the cycle has little of its motion before it: the axes may come to rest
   // in the cut where the next step is late.
   [[nodiscard]] bool is_urgent();
@@ -38,7 +43,13 @@ class Preparation {
   static constexpr int commands_per_step = 64;
   enum class Task { idle, running, waiting_answer };
 
-  [[nodiscard]] Progress work();
+  // With the recorded run, if there is one.
+  struct Guide {
+    RecordedWork* recorded = nullptr;
+    const std::function<bool()>& may_go_on;
+  };
+
+  [[nodiscard]] Progress work(const Guide& guide);
   void break_off(std::string_view code, std::string_view reason);
   void forget_path();
 
@@ -60,7 +71,10 @@ class Preparation {
   void name_files();
 
   // Program.
-  [[nodiscard]] Progress interpret();
+  [[nodiscard]] Progress interpret(const Guide& guide);
+  [[nodiscard]] bool take_tables(const Guide& guide);
+  [[nodiscard]] bool repeat_takings(const Guide& guide);
+  void follow_tables();
   [[nodiscard]] Progress use_result(SearchRunner::Result result);
   [[nodiscard]] lang::Step next_command();
   [[nodiscard]] bool take(const lang::Command& command);
@@ -84,6 +98,8 @@ class Preparation {
   std::deque<Numbered> numbered_;
   std::uint32_t situation_ = 0;     // in which the channel stands
   std::optional<Settle> question_;  // that waits until a search is over
+  std::uint32_t run_ = 0;           // its number
+  std::uint64_t command_ = 0;       // of the run, the next one
   bool scheme_switched_ = false;    // since the last answer or start
   bool axes_change_ = false;        // the answer to come tells where a spindle stands as an axis
 };

@@ -24,7 +24,6 @@ PreparationParts::PreparationParts(const MachineConfig& machine, const ChannelCo
                                    const PreparationBooks& books)
     : config(channel),
       schemes(scheme_set),
-      live(books.tables),
       reports(books.reports),
       motion(motion_config(machine, channel)),
       description(channel_description(machine, channel)),

@@ -48,7 +48,6 @@ struct PreparationParts {
 
   const ChannelConfig& config;
   const SchemeSet& schemes;
-  const LiveTables& live;
   ReportBook& reports;
   motion::MotionConfig motion;
   lang::ChannelDescription description;

@@ -251,15 +251,15 @@ std::optional<Diagnostic> SearchRunner::pass_request(const lang::Command& comman
   return std::nullopt;
 }
 
-// Tables are read as they are now; nothing: this is no question to them.
+// Tables are read as they were when the search began; nothing: this is no question to them.
 std::optional<lang::Answer> SearchRunner::answer_of_tables(const lang::Request& request) const {
   std::optional<double> value;
   if (request.kind == lang::RequestKind::tool_table_read) {
-    value = parts_.live.tool_value(request.number, request.index, request.channel);
+    value = parts_.tables.view().tool_value(request.number, request.index, request.channel);
   } else if (request.kind == lang::RequestKind::offset_table_read) {
     const int axis =
         request.index >= 0 ? parts_.config.axes.at(checked_size(request.index)) : request.index;
-    value = parts_.live.offset(request.number, axis);
+    value = parts_.tables.view().offset(request.number, axis);
   }
   if (!value) return std::nullopt;
   lang::Answer answer;

@@ -39,7 +39,7 @@ lang::Alignment::Outcome alignment_outcome(kinematics::DirectionChoice::Outcome 
 
 ChannelTables::ChannelTables(LiveTables& live, const MachineConfig& machine,
                              const ChannelConfig& channel)
-    : live_(live), channel_(channel.id) {
+    : live_(live), view_(live), channel_(channel.id) {
   for (const int axis : channel.axes) {
     const AxisConfig& config = machine.axes[axis];
     axis_names_.push_back(config.name);
@@ -109,7 +109,7 @@ std::array<lang::Direction, 3> ChannelTables::spindle_axes(
 std::optional<lang::AxisValues> ChannelTables::work_offset(int number) const {
   lang::AxisValues values{};
   for (std::size_t k = 0; k < axis_names_.size(); ++k) {
-    const auto value = live_.offset(number, axis_names_[k]);
+    const auto value = view_.offset(number, axis_names_[k]);
     if (!value) return std::nullopt;
     values[k] = *value;
   }
@@ -118,7 +118,7 @@ std::optional<lang::AxisValues> ChannelTables::work_offset(int number) const {
 
 // Beside the axes of its row, under the word of G10 L2.
 double ChannelTables::work_offset_rotation(int number) const {
-  return live_.offset(number, "R").value_or(0.0);
+  return view_.offset(number, std::string("R")).value_or(0.0);
 }
 
 lang::AxisValues ChannelTables::reference_point(int which) const {
@@ -138,7 +138,7 @@ std::optional<lang::Tool> ChannelTables::tool(int number) const {
 }
 
 std::optional<lang::Tool> ChannelTables::tool_edge(int number, int edge_number) const {
-  const auto edge = live_.tool(number, edge_number);
+  const auto edge = view_.tool(number, edge_number);
   if (!edge) return std::nullopt;
   lang::Tool tool;
   tool.number = number;

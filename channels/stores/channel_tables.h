@@ -1,14 +1,17 @@
-// ChannelTables: the tables as the interpreter of one channel sees them.
+// ChannelTables: the tables as the interpreter of one channel sees them: tools and work offsets as
+// they were behind a write (table_view.h), the rest as it is.
 //
 // Thread: that of the channel's preparation. Owner: its parts.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "channels/contract/machine_config.h"
 #include "channels/stores/live_tables.h"
+#include "channels/stores/table_view.h"
 #include "kinematics/direction_choice.h"
 #include "kinematics/scheme.h"
 #include "lang/contract/environment.h"
@@ -42,11 +45,18 @@ class ChannelTables final : public lang::Tables {
   [[nodiscard]] std::array<lang::Direction, 3> spindle_axes(
       const lang::AxisValues& position_B) const override;
 
+  // The copy of tools and offsets, brought up to a write by whoever runs the interpreter.
+  [[nodiscard]] const TableView& view() const { return view_; }
+  // The number of the newest write of all.
+  [[nodiscard]] std::uint64_t newest_version() const { return live_.version(); }
+  void advance_to(std::uint64_t version) { view_.advance_to(version); }
+
   // The scheme that is active from now on; it outlives the tables.
   void set_scheme(const kinematics::Scheme& scheme);
 
  private:
   LiveTables& live_;
+  TableView view_;
   int channel_;
   std::vector<std::string> axis_names_;
   AxisList<kinematics::AngleTravel> travel_;  // as the axes read it

@@ -307,6 +307,7 @@ lang::Answer DryRun::answer_of(const lang::Request& request) {
     return answer;
   }
   const auto value = channels::execute_table_request(live_, asked, channel_.axes);
+  tables_.advance_to(tables_.newest_version());
   answer.ok = value.has_value();
   answer.number = value.value_or(0.0);
   if (!answer.ok) answer.text = "no such entry of the tables, or a value out of range";

@@ -18,6 +18,7 @@ enum class InputKind : std::int8_t {
   overrun = 4,
   spindle_sensor = 5,
   lost = 6,
+  table_taking = 7,
 };
 
 // Analog inputs are counted on behind the digital ones.
@@ -58,6 +59,12 @@ struct Fill {
   void operator()(const channels::LostInputs& lost) const {
     kind(InputKind::lost);
     message.value = static_cast<double>(lost.count);
+  }
+  void operator()(const channels::TableTaking& taking) const {
+    kind(InputKind::table_taking);
+    message.method = static_cast<std::int32_t>(taking.run);
+    message.value = static_cast<double>(taking.command);
+    message.value_2 = static_cast<double>(taking.version);
   }
   void operator()(const channels::UnknownInput& /*unknown*/) const { message.kind = -1; }
 };
@@ -111,6 +118,10 @@ InputContent content_of(const input_t& message) {
       return spindle_sensor_in(message);
     case InputKind::lost:
       return channels::LostInputs{count_in<std::uint64_t>(message.value)};
+    case InputKind::table_taking:
+      return channels::TableTaking{.run = static_cast<std::uint32_t>(message.method),
+                                   .command = count_in<std::uint64_t>(message.value),
+                                   .version = count_in<std::uint64_t>(message.value_2)};
   }
   return channels::UnknownInput{};
 }

@@ -91,6 +91,85 @@ TEST(Replay, OfARunThatBeganWhereTheAxesStoodLast) {
   }
 }
 
+// Wear and offsets written while a program runs, by an operator and by the program of another
+// channel: blocks that are read behind that take them. How far ahead the preparation was is in the
+// log.
+class ReplayOfTables : public ::testing::TestWithParam<int> {
+ protected:
+  static constexpr const char* laps =
+      "#1=0\nT1 M6\nwhile (#1 < 5000) {\nG54\nG43 H1\n"
+      "G1 X[0.5*cos[#1*40]] Y[0.5*sin[#1*40]] Z1 F6000\n#1=[#1+1]\n}\nM30\n";
+
+  // The log of a run in which tables are written at random.
+  void record(RecordedByChance& run, int channel) const {
+    run.program("laps.nc", laps);
+    run.run(20);
+    run.ask(OperatorAction::program_run, channel, "laps.nc");
+    run.run(10);
+    for (int n = 0; n < 30; ++n) {
+      run.prepare_every(300 + run.chance(600));  // as one that is held up
+      run.run(100 + run.chance(800));
+      channels::OperatorEvent event;
+      const double value = 0.01 * run.chance(40);
+      if (run.chance(2) == 0) {
+        event.command = channels::commands::ToolSet{
+            .key = channels::ShortText("wear_length"), .value = value, .tool = 1};
+      } else {
+        event.command =
+            channels::commands::OffsetSet{.place = channels::ShortText("G54 X"), .value = value};
+      }
+      run.ask(event);
+    }
+    run.run(2000);
+    run.close();
+    EXPECT_TRUE(run.moved());
+  }
+
+  static void expect_to_need_its_takings(const RecordedByChance& run) {
+    int takings = 0;
+    const auto without = changed<input_t>(run.path(), recording::Topic::input, [&](input_t& input) {
+      if (input.kind != 7) return;
+      ++takings;
+      input.method = 0;  // of a run that never was
+    });
+    EXPECT_GT(takings, 0);
+    EXPECT_FALSE(replay(without, {}).is_same()) << "without the takings it cannot be known";
+  }
+};
+
+TEST_P(ReplayOfTables, ThatAnOperatorWritesIsTheSameBitForBit) {
+  RecordedByChance run("mill3.toml", DriveChoice::ideal, static_cast<std::uint64_t>(GetParam()));
+  record(run, 1);
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_TRUE(result.is_same());
+  EXPECT_GT(result.setpoints, 2000);
+  expect_to_need_its_takings(run);
+}
+
+TEST_P(ReplayOfTables, ThatAnotherChannelWritesIsTheSameBitForBit) {
+  RecordedByChance run("e7106mf4.toml", DriveChoice::ideal, static_cast<std::uint64_t>(GetParam()));
+  run.program("laps.nc",
+              "#1=0\nwhile (#1 < 5000) {\nG43 H1\nG1 Z0 X[0.5*cos[#1*40]] Y[0.5*sin[#1*40]] F6000\n"
+              "#1=[#1+1]\n}\nM30\n");
+  run.program("master.nc",
+              "#kinematics (1, 1)\nchannel_run (1, \"laps.nc\");\n#1=0\nwhile (#1 < 60) {\n"
+              "settable_tool (1, 1, \"wear_length\", 0.01*#1);\nG4 P0.05\n#1=[#1+1]\n}\n"
+              "channel_wait (1);\nM30\n");
+  run.ask(OperatorAction::program_run, 2, "master.nc");
+  run.run(1000);
+  for (int n = 0; n < 20; ++n) {
+    run.prepare_every(900 + run.chance(1200));
+    run.run(1500);
+  }
+  run.close();
+  EXPECT_TRUE(run.moved());
+  EXPECT_TRUE(replay(run.path(), {}).is_same());
+  expect_to_need_its_takings(run);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, ReplayOfTables,
+                         ::testing::Range(0, stanok::testing::is_sanitized ? 3 : 10));
+
 // Kinematics that change, a master that starts a worker, marks.
 TEST(Replay, OfTwoChannelsAndChangingKinematicsIsTheSame) {
   RecordedByChance run("e7106mf4.toml", DriveChoice::ideal, 7);

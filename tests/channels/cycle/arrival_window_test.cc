@@ -37,6 +37,17 @@ TEST(ArrivalWindowTest, AReplayedCycleSeesWhatTheRecordedOneSaw) {
   EXPECT_EQ(link.items.size(), 3U);
 }
 
+TEST(ArrivalWindowTest, ARepeatedPreparationGoesAsFarAsTheRecordedOneIsKnown) {
+  ChannelLink link;
+  ArrivalWindow window(link);
+  EXPECT_FALSE(window.may_prepare({}));
+  EXPECT_TRUE(window.may_prepare({.items = 1}));
+  EXPECT_TRUE(window.may_prepare({.resets = 1})) << "all before that reset is known";
+  ASSERT_TRUE(link.items.push(item()));
+  EXPECT_FALSE(window.may_prepare({.items = 1}));
+  EXPECT_TRUE(window.may_prepare({.chunks = 1, .items = 1}));
+}
+
 TEST(ArrivalWindowTest, CountsAnewBehindAReset) {
   ChannelLink link;
   ArrivalWindow window(link);

@@ -36,6 +36,7 @@ std::vector<Recorded> all_inputs() {
       {SpindleInput{0, SpindleQuantity::vibration_hz, 400.0}, 5, 0, 2, 400.0},
       {LostInputs{0}, 6},
       {LostInputs{85}, 6, 0, 0, 85.0},
+      {TableTaking{.run = 3, .command = 250, .version = 12}, 7, 3, 0, 250.0, 12.0},
   };
 }
 
@@ -89,7 +90,7 @@ TEST(InputRecordTest, WhatThisVersionDoesNotKnowIsSaidToBeUnknown) {
   EXPECT_TRUE(is_unknown(3, Signals::digital_count + Signals::analog_count, 0));
   EXPECT_TRUE(is_unknown(5, 0, 3));
   EXPECT_TRUE(is_unknown(5, -1, 0));
-  EXPECT_TRUE(is_unknown(7, 0, 0));
+  EXPECT_TRUE(is_unknown(8, 0, 0));
   EXPECT_FALSE(is_unknown(5, 0, 2));
 }
 

@@ -67,15 +67,17 @@ class CoordinatorBench {
   channels::EventBook events_{256};
   channels::ReportBook reports_;
   Signals outputs_;
+  channels::MachineConfig machine_;
+  channels::LiveTables tables_{machine_};
   BenchSchemes schemes_ = bench_schemes();
   std::array<channels::ChannelLink, 2> links_;
   std::int64_t now_ = 0;
   channels::Channel first_{bench_motion(), constants(4, 0),
                            schemes_,       0,
-                           links_[0],      {&events_, &reports_, &outputs_, &inputs}};
+                           links_[0],      {&events_, &reports_, &outputs_, &inputs, &tables_}};
   channels::Channel second_{bench_motion(), constants(7, 3),
                             schemes_,       0,
-                            links_[1],      {&events_, &reports_, &outputs_, &inputs}};
+                            links_[1],      {&events_, &reports_, &outputs_, &inputs, &tables_}};
   std::array<channels::Channel*, 2> all_{&first_, &second_};
 
  public:

@@ -12,7 +12,7 @@ class CycleBench {
   // `constants`: of the channel, where they differ from bench_constants().
   explicit CycleBench(const channels::ChannelConstants& constants = bench_constants())
       : parts(bench_motion(), constants, schemes_, 0, link,
-              {&events, &reports, &outputs, &inputs}) {}
+              {&events, &reports, &outputs, &inputs, &tables}) {}
 
   // Power, a program and a run of it.
   void begin_run() {
@@ -47,6 +47,8 @@ class CycleBench {
   channels::ReportBook reports;
   Signals outputs;
   Signals inputs;
+  channels::MachineConfig machine;
+  channels::LiveTables tables{machine};
 
  private:
   BenchSchemes schemes_ = bench_schemes();
