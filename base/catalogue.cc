@@ -303,6 +303,9 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
      "give the command again"},
     {"E6100", "the way back to the path has too many parts", end,
      "return to the path (program return), then move away again", "give the command again"},
+    {"E6101", "a value of the tables cannot be changed so while a program runs", end,
+     "change the wear or a work offset by a little (change_in_run_max), or end the program first",
+     "give the command again"},
     {"E7001", "the file was not found", end, "check the name and the program root",
      "correct the program and load it again"},
     {"E7002", "the file name is not allowed", end,
@@ -570,10 +573,10 @@ constexpr auto rows = [] {
   std::array<CatalogueRow, alarm_rows.size() + language_rows.size() + further_rows.size() +
                                language_warnings.size() + further_warnings.size()>
       all{};
+  // NOLINTEND(bugprone-invalid-enum-default-initialization)
   auto end_of_rows = std::ranges::copy(alarm_rows, all.begin()).out;
   end_of_rows = std::ranges::copy(language_rows, end_of_rows).out;
   end_of_rows = std::ranges::copy(further_rows, end_of_rows).out;
-  // NOLINTEND(bugprone-invalid-enum-default-initialization)
   end_of_rows = std::ranges::copy(language_warnings, end_of_rows).out;
   std::ranges::copy(further_warnings, end_of_rows);
   return all;

@@ -39,7 +39,8 @@ constexpr Codes select{off,           yes,           yes,   by_hand, switches, s
                        scheme_in_use, scheme_in_use, alarm, alarm,   stops};
 constexpr Codes jog_codes{off, yes, yes, yes, switches, runs, yes, yes, yes, off, stops};
 constexpr Codes touch{yes, yes, yes, by_hand, switches, runs, runs, runs, yes, yes, stops};
-constexpr Codes tables{yes, yes, yes, yes, yes, runs, runs, runs, yes, yes, stops};
+// While a program runs only by a little (E6101).
+constexpr Codes tables{yes, yes, yes, yes, yes, yes, yes, yes, yes, yes, stops};
 constexpr Codes interlude{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran, not_held,
                           yes,         yes,         alarm,       alarm,       stops};
 constexpr Codes go_back{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran, not_held,

@@ -9,6 +9,8 @@ namespace stanok::channels {
 struct EntryLimits {
   double touch_off_max = 100.0;  // mm or deg; change of an offset or a length by touching off
   double change_max = 100.0;     // mm or deg; the same by a number, from one that is not 0
+  // Of wear or a work offset while a program runs, magnitude, mm or deg.
+  double change_in_run_max = 0.5;
   // Along the axis of the tool; across it and of the overhang by the larger magnitude.
   double tool_length_min_mm = 0.0;
   double tool_length_max_mm = 500.0;

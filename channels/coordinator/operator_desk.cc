@@ -260,11 +260,37 @@ Verdict OperatorDesk::switch_on(const Channel* named) RT_SAFE {
   return success();
 }
 
+namespace {
+
+bool is_wear(int value) RT_SAFE {
+  const auto named = static_cast<ToolValue>(value);
+  return named == ToolValue::wear_length || named == ToolValue::wear_length_x ||
+         named == ToolValue::wear_radius;
+}
+
+}  // namespace
+
+// Blocks to come are read with the new value, those that are prepared are not: a jump between them
+// is small. `now`: a value that may change in a run.
+std::optional<Verdict> OperatorDesk::refusal_in_run(std::optional<double> now, double to) const
+    RT_SAFE {
+  bool runs = false;
+  for (int k = 0; k < channels_.count(); ++k) runs = runs || channels_[k].state().is_running();
+  if (!runs) return std::nullopt;
+  if (!now) return refusal("E6101", "while a program runs only wear and work offsets change");
+  const double most = stores_.tables->bounds().change_in_run();
+  if (std::abs(to - *now) <= most) return std::nullopt;
+  return refusal("E6101", "while a program runs the change is limited by change_in_run_max");
+}
+
 Verdict OperatorDesk::set_tool(const commands::ToolSet& command) RT_SAFE {
   const int edge = std::max(1, command.edge);
   const int value = tool_value_named(command.key.view());
   if (value == 0 || !stores_.tables->has_place(command.tool, edge))
     return refusal("E5021", "there is no such tool, edge or value");
+  const auto now = stores_.tables->tool_value(command.tool, edge, value);
+  if (const auto refused = refusal_in_run(is_wear(value) ? now : std::nullopt, command.value))
+    return *refused;
   if (!stores_.tables->set_tool_value(command.tool, edge, value, command.value, Writer::person))
     return refusal("E5020", "the value is out of range");
   settle({.tool = command.tool, .edge = edge});
@@ -297,6 +323,8 @@ OffsetPlace offset_place(const LiveTables& tables, std::string_view text) RT_SAF
 Verdict OperatorDesk::set_offset(const commands::OffsetSet& command) RT_SAFE {
   const OffsetPlace place = offset_place(*stores_.tables, command.place.view());
   if (!place.exists()) return refusal("E5021", "there is no such work offset or axis");
+  const auto now = stores_.tables->offset(place.number, place.column);
+  if (const auto refused = refusal_in_run(now, command.value)) return *refused;
   if (!stores_.tables->set_offset(place.number, place.column, command.value, Writer::person))
     return refusal("E5020", "the offset could not be written");
   settle({.work_offset = place.number});

@@ -87,6 +87,10 @@ const Keys<channels::EntryLimits>& entry_limits_keys() {
        "a new value of a work offset or tool length other than 0 that changes it by more than this "
        "must be confirmed",
        not_negative},
+      {"change_in_run_max", at<&Limits::change_in_run_max>, optional, "mm, deg",
+       "largest change of the wear of a tool or of a work offset while a program runs; a larger "
+       "one, and one of another value, is refused (E6101); 0: no change",
+       not_negative},
       {"tool_length_min", at<&Limits::tool_length_min_mm>, optional, "mm",
        "smallest length of a tool along Z; lengths that are measured against a reference tool may "
        "be negative",

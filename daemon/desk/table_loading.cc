@@ -155,12 +155,28 @@ void submit_next(const std::shared_ptr<Loading>& loading) {
       });
 }
 
+// A part of a table would be refused in the middle of it.
+std::optional<Failure> refusal_in_run(const channels::CycleOutput& output) {
+  for (int k = 0; k < output.channel_count; ++k) {
+    const channels::ChannelOutput& channel = output.channels[k];
+    if (!channel.running) continue;
+    return Failure{FailureKind::refused,
+                   "E6003",
+                   "a program is running or held: tables are loaded when it has ended",
+                   channel.id,
+                   {}};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Expected<std::vector<OperatorEvent>, Failure> commands_to_load(RunningMachine& machine,
                                                                const std::string& text,
                                                                const std::string& name,
                                                                Confirmed confirmed) {
+  if (auto refusal = refusal_in_run(machine.newest_output()))
+    return Unexpected<Failure>(std::move(*refusal));
   const TablesConfig now = machine.tables();
   TablesConfig wanted;
   try {

@@ -143,13 +143,34 @@ TEST_F(TableCommands, ReferencePointsOfTheTablesAreGoneTo) {
   EXPECT_NEAR(started.channel(1).axes[2].position, 5.0, 1e-9);
 }
 
-// The preparation may have read them long ago.
-TEST_F(TableCommands, AreRefusedWhileAProgramRuns) {
+// While a program runs wear and offsets change by a little, for the blocks that are read behind.
+TEST_F(TableCommands, InARunChangeWearAndOffsetsOfBlocksToCome) {
+  bench.program("p.nc", "T4 M6\nG43 H4\nG0 X10 Z10\nM0\nG1 X11 F600\nG54 G43 H4\nG0 X0 Z0\nM30\n");
+  bench.run(1, "p.nc");
+  bench.cycle();
+  for (int n = 0; n < 5000 && bench.channel(1).hold_cause == HoldCause::none; ++n) bench.cycle();
+  EXPECT_EQ(set_tool(4, "wear_length", 0.2), "ok");
+  EXPECT_EQ(set_tool(4, "wear_length", -0.3), "ok");
+  EXPECT_EQ(set_offset("G54 X", 0.5), "ok");
+  bench.ask(OperatorAction::program_start, 1, "");
+  bench.run_to_end();
+  EXPECT_EQ(bench.alarm_codes(), std::vector<std::string>{});
+  EXPECT_NEAR(bench.channel(1).axes[0].position, 0.5, 1e-9);
+  EXPECT_NEAR(bench.channel(1).axes[2].position, -0.3, 1e-9);
+}
+
+TEST_F(TableCommands, InARunChangeNothingElseAndNothingByMuch) {
   bench.program("p.nc", "G1 X100 F600\nM30\n");
   bench.run(1, "p.nc");
   for (int n = 0; n < 200; ++n) bench.cycle();
-  EXPECT_EQ(set_offset("G54 X", 1.0), "E6003");
-  EXPECT_EQ(set_tool(4, "length", 1.0), "E6003");
+  EXPECT_EQ(set_tool(4, "length", 0.1), "E6101");
+  EXPECT_EQ(set_tool(4, "radius", 0.1), "E6101");
+  EXPECT_EQ(set_tool(4, "wear_length", 0.51), "E6101");
+  EXPECT_EQ(set_tool(4, "wear_radius", -0.51), "E6101");
+  EXPECT_EQ(set_offset("G54 X", 0.51), "E6101");
+  EXPECT_EQ(set_offset("G54 X", 0.4), "ok");
+  EXPECT_EQ(set_offset("G54 X", 0.91), "E6101");
+  EXPECT_EQ(set_offset("G54 X", 0.9), "ok");
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ TEST(EntryLimits, HaveDefaultsThatFindSlips) {
   const EntryLimits limits = limits_of("mill", "");
   EXPECT_EQ(limits.touch_off_max, 100.0);
   EXPECT_EQ(limits.change_max, 100.0);
+  EXPECT_EQ(limits.change_in_run_max, 0.5);
   EXPECT_EQ(limits.tool_length_min_mm, 0.0);
   EXPECT_EQ(limits.tool_length_max_mm, 500.0);
   EXPECT_EQ(limits.tool_radius_max_mm, 250.0);
@@ -53,7 +54,8 @@ TEST(EntryLimits, AreThoseOfTheFile) {
   const EntryLimits limits =
       limits_of("mill",
                 "[entry_limits]\ntouch_off_max = 1\nchange_max = 2\ntool_length_min = -3\n"
-                "tool_length_max = 4\ntool_radius_max = 5\nwear_max = 6\noffset_max = 7\n");
+                "tool_length_max = 4\ntool_radius_max = 5\nwear_max = 6\noffset_max = 7\n"
+                "change_in_run_max = 8\n");
   EXPECT_EQ(limits.touch_off_max, 1.0);
   EXPECT_EQ(limits.change_max, 2.0);
   EXPECT_EQ(limits.tool_length_min_mm, -3.0);
@@ -61,6 +63,7 @@ TEST(EntryLimits, AreThoseOfTheFile) {
   EXPECT_EQ(limits.tool_radius_max_mm, 5.0);
   EXPECT_EQ(limits.wear_max_mm, 6.0);
   EXPECT_EQ(limits.offset_max_mm, 7.0);
+  EXPECT_EQ(limits.change_in_run_max, 8.0);
 }
 
 void expect_plausible(const MachineConfig& machine) {
