@@ -117,6 +117,7 @@ void Preparation::begin_run(const RunStart& start, std::shared_ptr<const lang::P
                             const std::string& name) {
   run_ = start.run;
   command_ = 0;
+  asks_ = false;
   parts_.tables.advance_to(start.stand.tables);
   situations_.begin_run(start.run);
   static_cast<void>(parts_.interpreter.take_meanings());  // of a search
@@ -242,10 +243,18 @@ Progress Preparation::interpret(const Guide& guide) {
   if (search_.is_under_way()) return use_result(search_.advance(commands_per_step));
   const QueueSink& queue = parts_.queue;
   Progress progress = Progress::computing;
-  for (int n = 0; n < commands_per_step && task_ == Task::running && !queue.holds_items(); ++n) {
-    if (!take_tables(guide)) return n > 0 ? progress : Progress::blocked;
+  // No step ends between a request and the wait for its answer, which would come too early then;
+  // nor is anything read of the tables there.
+  const auto goes_on = [&](int n) {
+    const bool is_in_step = n < commands_per_step && !queue.holds_items();
+    return task_ == Task::running && (is_in_step || asks_);
+  };
+  for (int n = 0; goes_on(n); ++n) {
+    if (!asks_ && !take_tables(guide)) return n > 0 ? progress : Progress::blocked;
+    asks_ = false;
     switch (next_command()) {
       case lang::Step::command:
+        asks_ = std::holds_alternative<lang::Request>(parts_.command.payload);
         take_meanings();
         if (take(parts_.command)) progress = Progress::worked;
         break;
@@ -283,8 +292,9 @@ bool Preparation::take_tables(const Guide& guide) {
   return true;
 }
 
+// What is made already must be handed over before it is asked whether more is known to be made.
 bool Preparation::repeat_takings(const Guide& guide) {
-  if (!guide.may_go_on()) return false;
+  if (!parts_.queue.flush() || !guide.may_go_on()) return false;
   while (const TableTaking* taking = guide.recorded->at(run_, command_)) {
     if (taking->version > parts_.tables.newest_version()) return false;
     parts_.tables.advance_to(taking->version);

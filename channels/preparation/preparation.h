@@ -100,6 +100,7 @@ class Preparation {
   std::optional<Settle> question_;  // that waits until a search is over
   std::uint32_t run_ = 0;           // its number
   std::uint64_t command_ = 0;       // of the run, the next one
+  bool asks_ = false;               // the newest command was a request
   bool scheme_switched_ = false;    // since the last answer or start
   bool axes_change_ = false;        // the answer to come tells where a spindle stands as an axis
 };
