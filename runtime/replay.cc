@@ -129,6 +129,15 @@ class Pending {
       take(records_.front());
   }
 
+  // Calls `look` with each up to this cycle.
+  template <class Look>
+  void look_up_to(std::int64_t cycle, const Look& look) const {
+    for (const Record& record : records_) {
+      if (record.cycle > cycle) return;
+      look(record);
+    }
+  }
+
  private:
   std::deque<Record> records_;
 };
@@ -155,11 +164,9 @@ class Repetition {
     for (const channels::InputRecord& input : part.inputs) know(input);
     pending_.inputs.add(part.inputs);
     pending_.feedback.add(part.feedback);
-    for (const RecordedArrival& arrival : part.arrivals) {
-      if (const int index = index_of(arrival.channel); index >= 0)
-        recorded_[index].known = arrival.value;
-    }
     pending_.arrivals.add(part.arrivals);
+    // Inputs of later cycles may follow in the next part.
+    if (!part.setpoints.empty()) know_up_to(part.setpoints.back().cycle);
   }
 
   // The next cycle. What it needs of the program has been prepared: at least as far ahead as in the
@@ -184,6 +191,12 @@ class Repetition {
   }
 
  private:
+  void know_up_to(std::int64_t cycle) {
+    pending_.arrivals.look_up_to(cycle, [&](const RecordedArrival& arrival) {
+      if (const int index = index_of(arrival.channel); index >= 0)
+        recorded_[index].known = arrival.value;
+    });
+  }
   void know(const channels::InputRecord& input) {
     const auto* const taking = std::get_if<channels::TableTaking>(&input.content);
     const int index = taking != nullptr ? index_of(input.channel) : -1;

@@ -163,7 +163,12 @@ TEST_P(ReplayOfTables, ThatAnotherChannelWritesIsTheSameBitForBit) {
   }
   run.close();
   EXPECT_TRUE(run.moved());
-  EXPECT_TRUE(replay(run.path(), {}).is_same());
+  const ReplayResult result = replay(run.path(), {});
+  EXPECT_TRUE(result.is_same());
+  if (result.difference) {
+    ADD_FAILURE() << "cycle " << result.difference->cycle << " " << result.difference->field << " "
+                  << result.difference->recorded << " " << result.difference->repeated;
+  }
   expect_to_need_its_takings(run);
 }
 
