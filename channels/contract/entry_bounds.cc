@@ -111,6 +111,12 @@ EntryBound EntryBounds::of_offset(int axis) const RT_SAFE {
   return bound_of_angle(whole_turn_deg);
 }
 
+EntryBound EntryBounds::of_change_in_run(std::string_view unit) const RT_SAFE {
+  EntryBound bound = by_magnitude(limits_.change_in_run_max, "change_in_run_max");
+  bound.unit = unit;
+  return bound;
+}
+
 FixedText<160> reason_against(const EntryBound& bound, double value) RT_SAFE {
   const bool is_less = value < bound.least;
   Text text;

@@ -37,8 +37,8 @@ class EntryBounds {
   [[nodiscard]] EntryBound of_tool(ToolValue value) const RT_SAFE;
   // `axis` counts among all axes of the machine; any other number: the rotation of the offset.
   [[nodiscard]] EntryBound of_offset(int axis) const RT_SAFE;
-  // Of a change while a program runs, as a magnitude; nothing may change of other values than wear.
-  [[nodiscard]] double change_in_run() const RT_SAFE { return limits_.change_in_run_max; }
+  // Of a change of wear or of a work offset while a program runs.
+  [[nodiscard]] EntryBound of_change_in_run(std::string_view unit) const RT_SAFE;
 
  private:
   EntryLimits limits_;

@@ -272,15 +272,18 @@ bool is_wear(int value) RT_SAFE {
 
 // Blocks to come are read with the new value, those that are prepared are not: a jump between them
 // is small. `now`: a value that may change in a run.
-std::optional<Verdict> OperatorDesk::refusal_in_run(std::optional<double> now, double to) const
-    RT_SAFE {
+std::optional<Verdict> OperatorDesk::refusal_in_run(std::optional<double> now, double to,
+                                                    std::string_view unit) const RT_SAFE {
   bool runs = false;
   for (int k = 0; k < channels_.count(); ++k) runs = runs || channels_[k].state().is_running();
   if (!runs) return std::nullopt;
-  if (!now) return refusal("E6101", "while a program runs only wear and work offsets change");
-  const double most = stores_.tables->bounds().change_in_run();
-  if (std::abs(to - *now) <= most) return std::nullopt;
-  return refusal("E6101", "while a program runs the change is limited by change_in_run_max");
+  if (!now)
+    return refusal("E6101", "while a program runs, only wear and work offsets can be changed");
+  const EntryBound bound = stores_.tables->bounds().of_change_in_run(unit);
+  if (bound.holds(to - *now)) return std::nullopt;
+  Verdict verdict = refusal("E6101", "a program runs, and the change of ");
+  verdict.text.append(reason_against(bound, to - *now).view());
+  return verdict;
 }
 
 Verdict OperatorDesk::set_tool(const commands::ToolSet& command) RT_SAFE {
@@ -289,7 +292,7 @@ Verdict OperatorDesk::set_tool(const commands::ToolSet& command) RT_SAFE {
   if (value == 0 || !stores_.tables->has_place(command.tool, edge))
     return refusal("E5021", "there is no such tool, edge or value");
   const auto now = stores_.tables->tool_value(command.tool, edge, value);
-  if (const auto refused = refusal_in_run(is_wear(value) ? now : std::nullopt, command.value))
+  if (const auto refused = refusal_in_run(is_wear(value) ? now : std::nullopt, command.value, "mm"))
     return *refused;
   if (!stores_.tables->set_tool_value(command.tool, edge, value, command.value, Writer::person))
     return refusal("E5020", "the value is out of range");
@@ -324,7 +327,8 @@ Verdict OperatorDesk::set_offset(const commands::OffsetSet& command) RT_SAFE {
   const OffsetPlace place = offset_place(*stores_.tables, command.place.view());
   if (!place.exists()) return refusal("E5021", "there is no such work offset or axis");
   const auto now = stores_.tables->offset(place.number, place.column);
-  if (const auto refused = refusal_in_run(now, command.value)) return *refused;
+  const std::string_view unit = stores_.tables->bounds().of_offset(place.column).unit;
+  if (const auto refused = refusal_in_run(now, command.value, unit)) return *refused;
   if (!stores_.tables->set_offset(place.number, place.column, command.value, Writer::person))
     return refusal("E5020", "the offset could not be written");
   settle({.work_offset = place.number});

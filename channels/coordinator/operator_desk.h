@@ -30,8 +30,8 @@ class OperatorDesk {
   // Applies a command: one overload for each.
   struct Application;
   [[nodiscard]] Verdict switch_on(const Channel* named) RT_SAFE;
-  [[nodiscard]] std::optional<Verdict> refusal_in_run(std::optional<double> now, double to) const
-      RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> refusal_in_run(std::optional<double> now, double to,
+                                                      std::string_view unit) const RT_SAFE;
   [[nodiscard]] Verdict set_tool(const commands::ToolSet& command) RT_SAFE;
   [[nodiscard]] Verdict set_offset(const commands::OffsetSet& command) RT_SAFE;
   [[nodiscard]] Verdict touch(const Channel& channel, const commands::OffsetTouch& command) RT_SAFE;

@@ -78,6 +78,8 @@ TEST(EntryBounds, SayWhichLimitAValueIsBeyond) {
             "-5.25 mm is less than 0 mm (tool_length_min)");
   EXPECT_EQ(reason(bounds.of_tool(ToolValue::wear_radius), -2.005),
             "-2.005 mm is less than -2 mm (wear_max)");
+  EXPECT_EQ(reason(bounds.of_change_in_run("deg"), 0.75),
+            "0.75 deg is more than 0.5 deg (change_in_run_max)");
   EXPECT_EQ(reason(bounds.of_offset(rotation), 361.0),
             "361 deg is more than 360 deg (a whole turn)");
   EXPECT_EQ(reason(bounds.of_offset(0), -1e308),
