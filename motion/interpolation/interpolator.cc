@@ -28,9 +28,10 @@ bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE
 
 }  // namespace
 
-Interpolator::Interpolator(const MotionConfig& config)
+Interpolator::Interpolator(const MotionConfig& config, PathHistory* history)
     : cycle_s_(config.cycle_s),
       axis_count_(config.axis_count),
+      cursor_(history),
       plan_(config),
       planner_(config),
       interruption_(config),
@@ -42,6 +43,11 @@ void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& tr
 
 bool Interpolator::at_rest() const RT_SAFE {
   return is_at_rest(motion_);
+}
+
+std::optional<double> Interpolator::way_into_segment(const PathQueue& queue) const RT_SAFE {
+  if (!cursor_.has_chunk()) return std::nullopt;
+  return cursor_.s_in_segment(queue, motion_.s);
 }
 
 void Interpolator::advance(PathQueue& queue, const FeedControl& control, InterpolatorOutput& out,

@@ -69,7 +69,8 @@ class Interpolator {
  public:
   static constexpr std::uint64_t no_chunk_limit = ~std::uint64_t{0};
 
-  explicit Interpolator(const MotionConfig& config);
+  // `history`, which outlives the interpolator, is told of the path that lies behind.
+  explicit Interpolator(const MotionConfig& config, PathHistory* history = nullptr);
 
   // Sets where the axes stand; only at rest. `transform` gives the programmed point that belongs to
   // `axes_M`.
@@ -97,6 +98,8 @@ class Interpolator {
   void drop_path(PathQueue& queue) RT_SAFE;
 
   [[nodiscard]] bool at_rest() const RT_SAFE;
+  // Within a chain: how far its current segment was passed. Between chains: none.
+  [[nodiscard]] std::optional<double> way_into_segment(const PathQueue& queue) const RT_SAFE;
   // A spindle leads the current chain, whether the axes follow it yet or not.
   [[nodiscard]] bool is_synchronous() const RT_SAFE {
     return cursor_.has_chunk() && cursor_.chunk().coupling.kind != SpindleCoupling::Kind::none;

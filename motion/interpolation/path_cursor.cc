@@ -12,6 +12,7 @@ void PathCursor::enter(PathQueue& queue) RT_SAFE {
 }
 
 void PathCursor::leave(PathQueue& queue) RT_SAFE {
+  note_rest(queue);
   queue.segments.pop_front(segments_left_);
   queue.phases.pop_front(phases_left_);
   segment_number_ += segments_left_;
@@ -20,7 +21,21 @@ void PathCursor::leave(PathQueue& queue) RT_SAFE {
   has_chunk_ = false;
 }
 
+void PathCursor::note(const PathQueue& queue, std::size_t index, ChainPlace place) RT_SAFE {
+  if (history_ != nullptr) history_->note(queue.segments[index], place);
+}
+
+// The axes do not go back along what a spindle led.
+void PathCursor::note_rest(const PathQueue& queue) RT_SAFE {
+  for (std::size_t k = 0; k < segments_left_; ++k) {
+    const bool is_last = chunk_.last && k + 1 == segments_left_;
+    note(queue, k, is_last ? ChainPlace::last : ChainPlace::within);
+  }
+  if (history_ != nullptr && chunk_.coupling.kind != SpindleCoupling::Kind::none) history_->cut();
+}
+
 void PathCursor::drop(PathQueue& queue) RT_SAFE {
+  if (history_ != nullptr) history_->cut();
   segment_number_ += queue.segments.size();
   queue.chunks.pop_front(queue.chunks.size());
   queue.segments.pop_front(queue.segments.size());
@@ -34,6 +49,7 @@ void PathCursor::go_to(PathQueue& queue, double s, std::uint64_t closed_from_blo
   while (segments_left_ > 1 && s >= segment_start_ + queue.segments.front().length &&
          queue.segments[1].tag.block < closed_from_block) {
     segment_start_ += queue.segments.front().length;
+    note(queue, 0, ChainPlace::within);
     queue.segments.pop_front();
     --segments_left_;
     ++segment_number_;

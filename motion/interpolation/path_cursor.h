@@ -7,6 +7,7 @@
 
 #include "base/rt_safe.h"
 #include "motion/path/path.h"
+#include "motion/path/path_history.h"
 #include "motion/path/path_queue.h"
 #include "motion/profile/feed_control.h"
 
@@ -14,6 +15,9 @@ namespace stanok::motion {
 
 class PathCursor {
  public:
+  // `history`, which outlives the cursor, is told of what lies behind.
+  explicit PathCursor(PathHistory* history = nullptr) : history_(history) {}
+
   // Enters the next chunk at its start; the queue must hold one, and there is no current chunk.
   void enter(PathQueue& queue) RT_SAFE;
   // Leaves the current chunk: all its segments and phases are given back.
@@ -52,6 +56,10 @@ class PathCursor {
   [[nodiscard]] std::uint64_t segment_number() const RT_SAFE { return segment_number_; }
 
  private:
+  void note(const PathQueue& queue, std::size_t index, ChainPlace place) RT_SAFE;
+  void note_rest(const PathQueue& queue) RT_SAFE;
+
+  PathHistory* history_;
   Chunk chunk_{};
   bool has_chunk_ = false;
   std::uint32_t segments_left_ = 0;
