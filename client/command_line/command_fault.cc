@@ -15,6 +15,7 @@ std::string in_backticks(const std::string& text) {
 
 std::vector<std::string> names_of_commands(const std::vector<const CLI::App*>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const CLI::App* command : commands) names.push_back(command->get_name());
   return names;
 }

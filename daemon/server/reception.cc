@@ -127,9 +127,9 @@ struct Reception::Parts {
 void Reception::Parts::accept() {
   acceptor.async_wait(LocalSocket::acceptor::wait_read, [this](const error_code& stopped) {
     if (stopped) return;
-    error_code error;
     LocalSocket::socket socket(io);
-    static_cast<void>(acceptor.accept(socket, error));  // the error is the same
+    error_code error;
+    error = acceptor.accept(socket, error);
     if (!error) admit(std::move(socket));
     if (!error || error == asio::error::would_block) return accept();
     if (reserve.give_up_one() || sessions.end_oldest_turned_away(std::chrono::steady_clock::now()))

@@ -73,7 +73,8 @@ std::string text_of(int file) {
 // A line for each: its key, "d" or "f", its name.
 std::string entries_of(int folder) {
   std::string lines;
-  DIR* const listing = ::fdopendir(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const int again = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  DIR* const listing = again < 0 ? nullptr : ::fdopendir(again);
   if (listing == nullptr) return lines;
   while (const dirent* const entry = ::readdir(listing)) {
     const std::string_view name = entry->d_name;
@@ -114,7 +115,8 @@ void note_all_below(const std::string& path) {
   struct statx state{};
   if (state_of(opened, "", AT_EMPTY_PATH, state)) note(opened, state);
   if (S_ISDIR(state.stx_mode)) {
-    DIR* const listing = ::fdopendir(::dup(opened));
+    const int again = ::dup(opened);
+    DIR* const listing = again < 0 ? nullptr : ::fdopendir(again);
     while (const dirent* const entry = listing == nullptr ? nullptr : ::readdir(listing)) {
       const std::string_view name = entry->d_name;
       if (name != "." && name != "..") note_all_below(path + "/" + entry->d_name);

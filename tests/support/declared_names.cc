@@ -161,6 +161,18 @@ class NameReader {
     }
   }
 
+  // An index, decltype or alignas, with what is in its brackets.
+  bool skip_within_declaration() {
+    if (text() == "[") {
+      skip_brackets("[", "]");
+      return true;
+    }
+    if (text() != "decltype" && text() != "alignas") return false;
+    ++at_;
+    skip_brackets("(", ")");
+    return true;
+  }
+
   // The name before the first parenthesis, "=", brace or semicolon that is outside of <>.
   void read_function_or_variable() {
     const std::size_t begin = at_;
@@ -170,12 +182,7 @@ class NameReader {
       if (text() == "operator") return;
       if (text() == "<") ++depth;
       if (text() == ">") --depth;
-      if (text() == "[") {
-        skip_brackets("[", "]");
-        --at_;
-      } else if (text() == "decltype" || text() == "alignas") {
-        ++at_;
-        skip_brackets("(", ")");
+      if (skip_within_declaration()) {
         --at_;
       } else if (depth == 0 && (text() == "=" || text() == "{" || text() == ";")) {
         break;
