@@ -119,8 +119,8 @@ json parameters_of(const protocol::Method& method) {
       {"override.rapid", {{"percent", 80}}},
       {"override.spindle", {{"percent", 80}}},
       {"kinematics.select", {{"scheme", 2}}},
-      {"tool.set", {{"number", 1}, {"key", "length"}, {"value", 10.0}}},
-      {"offset.set", {{"offset", "G54"}, {"axis", "X"}, {"value", 1.0}}},
+      {"tool.set", {{"number", 1}, {"key", "wear_length"}, {"value", 0.1}}},
+      {"offset.set", {{"offset", "G54"}, {"axis", "X"}, {"value", 0.1}}},
       {"mdi", {{"text", "G4 P0.01"}}},
       {"jog", {{"axis", "Y"}, {"velocity", 5.0}}},
       {"handwheel", {{"axis", "Y"}, {"way", 0.1}}},
@@ -133,10 +133,10 @@ json parameters_of(const protocol::Method& method) {
   return row == table.end() ? required_parameters(method) : row->second;
 }
 
-// Admitted, and of no use: the machine has no automatic feed law and no force control, and when its
-// drives are off no program is loaded here.
+// Admitted, and of no use: the machine has no automatic feed law and no force control, when its
+// drives are off no program is loaded here, and axes that were jogged away are not on a path.
 bool has_no_object(std::string_view code) {
-  return code == "E6030" || code == "E6060" || code == "E6005";
+  return code == "E6030" || code == "E6060" || code == "E6005" || code == "E6097";
 }
 
 // The command table is read where the machine is not known: what it says of a method is what the
