@@ -306,6 +306,8 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E6101", "a value of the tables cannot be changed so while a program runs", end,
      "change the wear or a work offset by a little (change_in_run_max), or end the program first",
      "give the command again"},
+    {"E6102", "nothing of the path is left to go along in this direction", end,
+     "go the other way, or continue the program", "give the command again"},
     {"E7001", "the file was not found", end, "check the name and the program root",
      "correct the program and load it again"},
     {"E7002", "the file name is not allowed", end,

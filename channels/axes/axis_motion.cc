@@ -16,7 +16,8 @@ AxisMotion::AxisMotion(const motion::MotionConfig& config, const ChannelConstant
       schemes_(schemes),
       axes_(axes),
       drives_(drives),
-      interpolator_(config),
+      retrace_(config, constants.retrace_bytes),
+      interpolator_(config, &retrace_.history()),
       loops_(constants) {
   AxisArray<ManualAxis> manual_axes{};
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
@@ -34,7 +35,7 @@ std::optional<Fault> AxisMotion::advance(motion::PathQueue& queue,
   interpolator_.advance(queue, control, path_, chunk_limit);
   // Homing names the position of an axis anew: its number steps, and the axis does not.
   const Steps steps = manual_.is_active() ? Steps::of_numbers : Steps::of_axes;
-  move_by_hand();
+  move_by_hand(control);
   const auto fault = impossible_step(config_, constants_.cycle_s, axes_, path_.axes, steps);
   if (fault) stay_where_commanded(queue);
   axes_.follow(path_.axes);
@@ -43,7 +44,9 @@ std::optional<Fault> AxisMotion::advance(motion::PathQueue& queue,
   return passed_limit(config_, constants_.cycle_s, axes_, path_.axes);
 }
 
-void AxisMotion::move_by_hand() RT_SAFE {
+void AxisMotion::move_by_hand(const motion::FeedControl& control) RT_SAFE {
+  if (retrace_.is_on()) retrace_.lead(control, path_);
+  if (retrace_.is_back() && !aside_.is_on()) retrace_.end();
   if (aside_.is_on()) aside_.place(path_.axes);
   if (manual_.is_active()) {
     manual_.advance(drives_.feedback(), path_.axes);
@@ -61,9 +64,28 @@ void AxisMotion::leave_path() RT_SAFE {
   if (!aside_.is_on()) aside_.begin(axes_M());
 }
 
+void AxisMotion::stop_by_hand() RT_SAFE {
+  manual_.stop();
+  retrace_.stop();
+}
+
+std::string_view AxisMotion::retrace(const motion::PathQueue& queue, RetraceDirection direction,
+                                     double length) RT_SAFE {
+  if (!retrace_.is_on()) {
+    const std::optional<double> way = interpolator_.way_into_segment(queue);
+    retrace_.leave_path(way ? &queue.segments.front() : nullptr, way.value_or(0.0), axes_M());
+  }
+  const std::string_view refused = retrace_.go(direction, length);
+  if (retrace_.is_back()) retrace_.end();
+  return refused;
+}
+
 bool AxisMotion::go_back(double speed) RT_SAFE {
   if (aside_.is_at_path()) aside_.end();
-  if (!aside_.is_on()) return false;
+  if (!aside_.is_on()) {
+    retrace_.return_to_path();
+    return retrace_.is_on();
+  }
   AxisArray<double> to{};
   std::ranges::copy(aside_.turn_back(), to.begin());
   manual_.go(to, path_.axes, speed);
@@ -73,7 +95,7 @@ bool AxisMotion::go_back(double speed) RT_SAFE {
 // The axes stay where they were moved aside.
 void AxisMotion::forget_path(motion::PathQueue& queue) RT_SAFE {
   interpolator_.drop_path(queue);
-  if (aside_.is_on()) stand();
+  if (is_off_path()) stand();
 }
 
 void AxisMotion::stay_where_commanded(motion::PathQueue& queue) RT_SAFE {
@@ -121,6 +143,7 @@ void AxisMotion::stand_with(int axis, double position) RT_SAFE {
 
 void AxisMotion::stand() RT_SAFE {
   aside_.end();
+  retrace_.end();
   interpolator_.stand_at(axes_M(), frame_);
   frame_is_new_ = true;
 }
@@ -181,10 +204,11 @@ lang::AxisSet AxisMotion::axes_to_home() const RT_SAFE {
 }
 
 void AxisMotion::show(ChannelOutput& output) const RT_SAFE {
-  output.moving = path_.state == motion::PathState::moving || manual_.is_active();
+  output.moving = path_.state == motion::PathState::moving || moves_by_hand();
   output.feed_commanded = path_.feed_commanded;
   output.path_speed = path_.s_speed;
-  output.aside = aside_.is_on();
+  output.aside = is_off_path();
+  output.retrace = retrace_.state();
   output.on_arc = path_.on_arc;
   output.point_W = path_.point;
   output.work_frame = frame_.frame;

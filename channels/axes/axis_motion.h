@@ -13,6 +13,7 @@
 #include "channels/axes/drive_guard.h"
 #include "channels/axes/manual_motion.h"
 #include "channels/axes/position_loops.h"
+#include "channels/axes/retrace_by_hand.h"
 #include "channels/axes/scheme_table.h"
 #include "channels/axes/way_aside.h"
 #include "motion/interpolation/interpolator.h"
@@ -40,7 +41,11 @@ class AxisMotion {
   [[nodiscard]] bool path_is_at_rest() const RT_SAFE { return interpolator_.at_rest(); }
   [[nodiscard]] bool is_in_thread() const RT_SAFE { return interpolator_.is_synchronous(); }
   [[nodiscard]] bool is_standing() const RT_SAFE {
-    return interpolator_.at_rest() && !manual_.is_active();
+    return interpolator_.at_rest() && !moves_by_hand();
+  }
+  // Jogged, homed, or led along the path that lies behind.
+  [[nodiscard]] bool moves_by_hand() const RT_SAFE {
+    return manual_.is_active() || retrace_.is_moving();
   }
   [[nodiscard]] motion::Point axes_M() const RT_SAFE;
   [[nodiscard]] const motion::MotionConfig& config() const RT_SAFE { return config_; }
@@ -70,8 +75,17 @@ class AxisMotion {
 
   [[nodiscard]] ManualMotion& manual() RT_SAFE { return manual_; }
   [[nodiscard]] const ManualMotion& manual() const RT_SAFE { return manual_; }
+  void stop_by_hand() RT_SAFE;
   // While the path is held: from now on moves by hand lead the axes away from it, and back.
   void leave_path() RT_SAFE;
+  // Along the path that lies behind the held one in `queue`, as RetraceByHand::go.
+  [[nodiscard]] std::string_view retrace(const motion::PathQueue& queue, RetraceDirection direction,
+                                         double length) RT_SAFE;
+  [[nodiscard]] const RetraceByHand& retracing() const RT_SAFE { return retrace_; }
+  // What was passed cannot be undone.
+  void cut_history() RT_SAFE { retrace_.history().cut(); }
+  // The axes are not where the path is held.
+  [[nodiscard]] bool is_off_path() const RT_SAFE { return aside_.is_on() || retrace_.is_on(); }
   // The next part of the way back begins; false: the axes are on the path again.
   [[nodiscard]] bool go_back(double speed) RT_SAFE;
   [[nodiscard]] const WayAside& aside() const RT_SAFE { return aside_; }
@@ -91,7 +105,7 @@ class AxisMotion {
 
  private:
   void stand() RT_SAFE;
-  void move_by_hand() RT_SAFE;
+  void move_by_hand(const motion::FeedControl& control) RT_SAFE;
   void stay_where_commanded(motion::PathQueue& queue) RT_SAFE;
 
   const motion::MotionConfig& config_;
@@ -99,6 +113,7 @@ class AxisMotion {
   SchemeTable& schemes_;
   AxisGroup& axes_;
   const DriveGuard& drives_;
+  RetraceByHand retrace_;
   motion::Interpolator interpolator_;
   motion::InterpolatorOutput path_;
   kinematics::Transform frame_;

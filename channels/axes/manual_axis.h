@@ -17,6 +17,9 @@ struct ManualAxis {
   double following_error_max = 0.5;
 };
 
+// What moves as long as it is asked for again comes to rest when it is not asked for so long.
+inline constexpr double jog_lease_s = 0.2;
+
 // Of its highest velocity: with that an axis moves that has no reference.
 inline constexpr double unreferenced_part = 0.1;
 

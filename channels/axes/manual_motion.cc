@@ -7,7 +7,6 @@
 namespace stanok::channels {
 namespace {
 
-constexpr double lease_s = 0.2;          // of a continuous jog
 constexpr double drive_answers_s = 3.0;  // when it is told its position
 // Home switch and index pulse lie within the travel and a little more; of an axis without limits,
 // within this distance.
@@ -41,7 +40,7 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
   const bool up = jog.velocity > 0.0;
   if (state.task == Task::jog && state.cycles_left > 0 && jog.increment == 0.0) {
     if (state.move.goes_up() == up) {
-      state.cycles_left = std::llround(lease_s / cycle_s_);
+      state.cycles_left = std::llround(jog_lease_s / cycle_s_);
       return {};
     }
     state.move.stop();
@@ -64,7 +63,7 @@ std::string_view ManualMotion::jog(const Jog& jog, double from, const AxisFeedba
     to = end;
   }
   state.task = Task::jog;
-  state.cycles_left = jog.increment > 0.0 ? -1 : std::llround(lease_s / cycle_s_);
+  state.cycles_left = jog.increment > 0.0 ? -1 : std::llround(jog_lease_s / cycle_s_);
   state.adds = jog.increment > 0.0;
   state.end = to;
   state.more = 0.0;
@@ -137,7 +136,7 @@ void ManualMotion::go_on(AxisState& state, const ManualAxis& axis) RT_SAFE {
 
 std::string_view ManualMotion::jog(const JogLine& line, std::span<const AxisFeedback> drives,
                                    std::span<const kinematics::Jet> positions) RT_SAFE {
-  const std::int64_t lease = std::llround(lease_s / cycle_s_);
+  const std::int64_t lease = std::llround(jog_lease_s / cycle_s_);
   if (line_.renew(line, lease)) return {};
   if (is_active()) return "E6056";
   const std::string_view refused =

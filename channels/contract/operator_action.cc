@@ -49,6 +49,7 @@ constexpr auto action_rows = std::to_array<ActionRow>({
     {Action::coolant_switch, "coolant_switch", Effect::begins, Rule::interlude, Reach::channel},
     {Action::handwheel, "handwheel", Effect::begins, Rule::jog, Reach::channel},
     {Action::first_part, "first_part", Effect::none, Rule::always, Reach::channel},
+    {Action::program_retrace, "program_retrace", Effect::begins, Rule::interlude, Reach::channel},
 });
 
 consteval bool is_complete() {

@@ -169,6 +169,10 @@ void convert(auto& form, commands::SpindleSwitch& command) {
 void convert(auto& form, commands::CoolantSwitch& command) {
   form.on_or_off(command.to);
 }
+void convert(auto& form, commands::ProgramRetrace& command) {
+  form.choice(command.direction, RetraceDirection::forward);
+  form.value(command.length);
+}
 void convert(auto& form, commands::FirstPart& command) {
   form.on_or_off(command.to);
 }

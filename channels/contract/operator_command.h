@@ -54,6 +54,7 @@ enum class OperatorAction : std::uint8_t {
   coolant_switch,
   handwheel,
   first_part,
+  program_retrace,
 };
 
 enum class Switch : std::uint8_t { off, on };
@@ -67,6 +68,8 @@ enum class AutomaticLaw : std::uint8_t { modulated, linear };
 // What an operator does with the force control of a channel, and with which of its quantities.
 enum class ForceAction : std::uint8_t { off, on, set };
 enum class ForceQuantity : std::uint8_t { not_named, force, level, mass, frequency };
+
+enum class RetraceDirection : std::uint8_t { back, forward };
 
 // Whose directions a jog takes: axes of the machine, the tool, or the workpiece as programs see it
 // now, tilted planes included.
@@ -192,6 +195,11 @@ struct Handwheel {
   ShortText axis{};  // of the machine
   double way = 0.0;  // mm or deg; its sign is the direction
 };
+// Axes of a held program go along what they passed, back, or forwards as far as where it is held.
+struct ProgramRetrace {
+  RetraceDirection direction = RetraceDirection::back;
+  double length = 0.0;  // mm along the path; 0: while it is renewed
+};
 // Axes that were moved away from a held program go back to its path.
 struct ProgramReturn {
   double velocity = 0.0;  // mm/s or deg/s along the way; 0: that of each axis's search
@@ -217,7 +225,7 @@ using OperatorCommand = std::variant<
     commands::Home, commands::ToolSet, commands::OffsetSet, commands::ProcessAdaptive,
     commands::ProgramSearch, commands::ChannelControl, commands::OffsetTouch, commands::ToolTouch,
     commands::ProgramReturn, commands::SpindleSwitch, commands::CoolantSwitch, commands::Handwheel,
-    commands::FirstPart>;
+    commands::FirstPart, commands::ProgramRetrace>;
 static_assert(std::is_trivially_copyable_v<OperatorCommand>);
 
 [[nodiscard]] inline OperatorAction action_of(const OperatorCommand& command) RT_SAFE {

@@ -191,6 +191,13 @@ struct Arrivals {
   friend bool operator==(const Arrivals&, const Arrivals&) = default;
 };
 
+// The way back along a path.
+struct RetraceState {
+  std::uint64_t blocks_back = 0;  // that the axes can go back, the current one included
+  std::uint32_t oldest_line = 0;  // how far: a line of the program; 0: no way
+  std::uint32_t line = 0;         // where the axes are on it; 0: on the path itself
+};
+
 struct ChannelOutput {
   std::int32_t id = 0;
   std::int32_t axis_count = 0;
@@ -202,7 +209,8 @@ struct ChannelOutput {
   Wait wait;              // for what
   HoldCause hold_cause = HoldCause::none;
   // Of a held program: what an operator did to it.
-  bool aside = false;         // axes were moved away from the path
+  bool aside = false;  // axes were moved away from where the path is held
+  RetraceState retrace;
   bool spindles_off = false;  // its spindles are stopped, its coolant is off
   bool coolant_off = false;
   std::int32_t scheme = 0;

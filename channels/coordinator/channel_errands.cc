@@ -193,7 +193,7 @@ Verdict ChannelErrands::step(Errand& errand, const requests::ProgramReturn& requ
   Channel& target = target_of(errand);
   if (errand.is<Asked>()) {
     if (const auto refused = obstacle(errand, OperatorAction::program_return)) return *refused;
-    if (target.motion.manual().is_active())
+    if (target.motion.moves_by_hand())
       return refusal_of(target.id(), "E6056", ": axes are being jogged or homed");
     target.switches.set_spindles(Switch::on);
     target.switches.set_coolant(Switch::on);
@@ -201,7 +201,7 @@ Verdict ChannelErrands::step(Errand& errand, const requests::ProgramReturn& requ
   }
   if (std::get_if<GoingBack>(&errand.state)->hand_stops != target.run.hand_stops())
     return refusal_of(target.id(), "E6072", " was stopped on its way back");
-  if (target.motion.manual().is_active() || !target.switches.spindles_turn_as_commanded())
+  if (target.motion.moves_by_hand() || !target.switches.spindles_turn_as_commanded())
     return pending();
   if (target.motion.go_back(request.velocity)) return pending();
   target.run.apply(Change::path_joined);

@@ -24,6 +24,8 @@ std::string_view jog_refusal(std::string_view code) RT_SAFE {
   if (code == "E6099")
     return "the held program is in a thread, measures, or changes kinematics or axes";
   if (code == "E6100") return "the way back to the path has 63 parts: return first";
+  if (code == "E6097") return "its axes were moved away from the path; return to it first";
+  if (code == "E6102") return "nothing of the path that can be undone is left in this direction";
   if (code == "E6055")
     return "the active scheme has no straight line in this direction; jog the axes of the machine";
   if (code == "E6059")
@@ -60,6 +62,13 @@ Verdict apply_to(Channel& channel, const commands::Handwheel& command) RT_SAFE {
   const int axis = channel.axes.named(command.axis.view());
   if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
   const std::string_view code = turn(channel, axis, command.way);
+  return code.empty() ? success() : refusal(code, jog_refusal(code));
+}
+
+Verdict apply_to(Channel& channel, const commands::ProgramRetrace& command) RT_SAFE {
+  if (!std::isfinite(command.length) || !(command.length >= 0.0))
+    return refusal("E6054", "the way along the path is 0 or more");
+  const std::string_view code = retrace(channel, command.direction, command.length);
   return code.empty() ? success() : refusal(code, jog_refusal(code));
 }
 
@@ -135,9 +144,9 @@ concept OneOf = (std::same_as<Command, Commands> || ...);
 
 template <class Command>
 concept OfOneChannel =
-    OneOf<Command, commands::Jog, commands::Handwheel, commands::ProcessInterrupt,
-          commands::ProcessAutomatic, commands::ProcessAdaptive, commands::SpindleSwitch,
-          commands::CoolantSwitch>;
+    OneOf<Command, commands::Jog, commands::Handwheel, commands::ProgramRetrace,
+          commands::ProcessInterrupt, commands::ProcessAutomatic, commands::ProcessAdaptive,
+          commands::SpindleSwitch, commands::CoolantSwitch>;
 template <class Command>
 concept TakesTime =
     OneOf<Command, commands::ProgramLoad, commands::ProgramRun, commands::ProgramStart,

@@ -14,9 +14,26 @@ const commands::Jog* leased_jog(const OperatorEvent& event) RT_SAFE {
   return jog != nullptr && jog->increment == 0.0 ? jog : nullptr;
 }
 
+const commands::ProgramRetrace* leased_retrace(const OperatorEvent& event) RT_SAFE {
+  const auto* retrace = std::get_if<commands::ProgramRetrace>(&event.command);
+  return retrace != nullptr && retrace->length == 0.0 ? retrace : nullptr;
+}
+
+// What moves as long as it is asked for again.
+bool is_lease(const OperatorEvent& event) RT_SAFE {
+  return leased_jog(event) != nullptr || leased_retrace(event) != nullptr;
+}
+
+bool is_under_lease(const Channel& channel) RT_SAFE {
+  return channel.motion.manual().is_jogging() || channel.motion.retracing().is_leased();
+}
+
 bool is_renewal(const OperatorEvent& event, const Channel* named) RT_SAFE {
+  if (named == nullptr) return false;
+  if (const auto* retrace = leased_retrace(event))
+    return named->motion.retracing().is_renewed_by(retrace->direction);
   const commands::Jog* const jog = leased_jog(event);
-  if (jog == nullptr || named == nullptr) return false;
+  if (jog == nullptr) return false;
   const ManualMotion& manual = named->motion.manual();
   if (jog->frame != JogFrame::machine) return manual.jogs_along_line();
   return manual.jogs(named->axes.named(jog->axis.view()));
@@ -52,7 +69,7 @@ void RequestGate::note_gap(std::int64_t cycle, std::int64_t periods) RT_SAFE {
 std::optional<Verdict> RequestGate::refusal_of(const OperatorEvent& event, std::int64_t cycle,
                                                const Channel* named, int index) const RT_SAFE {
   const bool renews = is_renewal(event, named);
-  if (leased_jog(event) != nullptr && named != nullptr && named->motion.manual().is_jogging() &&
+  if (is_lease(event) && named != nullptr && is_under_lease(*named) &&
       jogger_[index] != event.session)
     return refusal("E6056", "another session jogs this channel");
   if (renews || !lets_move(event, named)) return std::nullopt;
@@ -69,7 +86,7 @@ std::optional<Verdict> RequestGate::refusal_of(const OperatorEvent& event, std::
 }
 
 void RequestGate::note(const OperatorEvent& event, int index) RT_SAFE {
-  if (index >= 0 && leased_jog(event) != nullptr) jogger_[index] = event.session;
+  if (index >= 0 && is_lease(event)) jogger_[index] = event.session;
 }
 
 // In periods; 0 where it has none. Gaps before the oldest that is known are not counted.

@@ -73,7 +73,7 @@ void Channel::advance(std::int64_t cycle, Period period) RT_SAFE {
 void Channel::stop_where_probe_meets_something() RT_SAFE {
   if (state().is_ending() || !items_.probe().meets_something()) return;
   constexpr std::string_view text = "the probe has met something in a move that does not probe";
-  if (!motion.manual().is_active()) return run.fail("E4326", text, items_.current_tag());
+  if (!motion.moves_by_hand()) return run.fail("E4326", text, items_.current_tag());
   run.stop_by_hand();
   log.tell("W733", text, items_.current_tag());
 }
@@ -150,7 +150,8 @@ void Channel::move() RT_SAFE {
   items_.follow(motion.path().tag);
   tell_when_it_runs_dry();
   if (fault) run.fault(*fault);
-  if (!motion.manual().is_active()) run.apply(Change::hand_ends);
+  if (!motion.moves_by_hand()) run.apply(Change::hand_ends);
+  if (!motion.is_off_path()) run.apply(Change::path_joined);
 }
 
 void Channel::tell_when_it_runs_dry() RT_SAFE {
@@ -208,12 +209,14 @@ void Channel::stop_at_step() RT_SAFE {
 void Channel::work_marks(Period period) RT_SAFE {
   const motion::InterpolatorOutput& path = motion.path();
   const bool is_present = period == Period::present;
+  const std::uint64_t riders_before = link.riders.popped();
   if (state().is_ending() || (path.at_gate && !is_present)) return;
   const auto missed =
       marks.advance({.path = path.tag,
                      .stands_at_gate = path.at_gate,
                      .closed_block = run.stepper().closed_from_block(),
                      .riders_before_item = is_present ? items_.riders_before_item() : 0});
+  if (link.riders.popped() != riders_before) motion.cut_history();
   if (missed) run.fail("E6024", "the path reached the mark too fast to stop there", *missed);
 }
 

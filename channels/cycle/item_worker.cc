@@ -40,6 +40,14 @@ bool is_of_program(const ItemContent& content) RT_SAFE {
                       lang::ProgramStop, ProbeBegin, Request, RunEnd>(content);
 }
 
+// The axes may go back along the path before it: nothing but their frame, time and overrides.
+bool can_be_undone(const Item& item) RT_SAFE {
+  return !holds_one_of<lang::SpindleCommand, lang::CuttingSpeedMode, lang::CoolantCommand,
+                       lang::ToolChange, lang::ForceControl, lang::OutputCommand,
+                       lang::MachineFunction, ProbeBegin, Request, AxesStep, SchemeChosen>(
+      item.content);
+}
+
 // In single block; frames and the like take effect with the step behind them, so that a stop shows
 // the block that was done and not the next one.
 bool may_begin(const Item& item, Stepper& stepper) RT_SAFE {
@@ -176,6 +184,7 @@ void ItemWorker::advance() RT_SAFE {
     if (!may_begin(next, parts_.run.stepper())) return parts_.run.hold(HoldCause::single_block);
     static_cast<void>(items.pop(item_));
     if (item_.tag.line != 0 && item_.tag.run == parts_.runs.run()) now_ = item_.tag;
+    if (!can_be_undone(item_)) parts_.motion.cut_history();
     visit_in_cycle(Execution{*this, parts_, item_.tag}, item_.content);
   }
 }

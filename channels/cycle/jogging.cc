@@ -18,7 +18,7 @@ std::string_view obstacle_in_hold(const Channel& channel, Course course) RT_SAFE
   if (!motion.path_is_at_rest()) return "E6070";
   if (motion.is_in_thread() || !channel.items().lets_axes_leave()) return "E6099";
   if (course == Course::goes_on) return {};
-  if (motion.manual().is_active()) return "E6056";
+  if (motion.moves_by_hand()) return "E6056";
   return motion.aside().is_full() ? "E6100" : "";
 }
 
@@ -67,7 +67,29 @@ std::string_view move_axis(Channel& channel, const Jog& jog, Begin&& begin) RT_S
   return refused;
 }
 
+std::string_view obstacle_of_retrace(const Channel& channel) RT_SAFE {
+  const AxisMotion& motion = channel.motion;
+  if (!motion.path_is_at_rest()) return "E6070";
+  if (motion.is_in_thread() || !channel.items().lets_axes_leave()) return "E6099";
+  if (motion.aside().is_on()) return "E6097";
+  for (int axis = 0; axis < channel.axes.count(); ++axis) {
+    const AxisFeedback& drive = channel.drives.feedback(axis);
+    const bool is_ready = drive.valid && drive.enabled;
+    if (channel.axes.drive(axis).enabled && !is_ready) return "E6008";
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string_view retrace(Channel& channel, RetraceDirection direction, double length) RT_SAFE {
+  if (const auto code = obstacle_of_retrace(channel); !code.empty()) return code;
+  const auto refused = channel.motion.retrace(channel.link.path, direction, length);
+  if (!channel.motion.is_off_path()) return refused;
+  channel.run.call_off_by_hand();
+  channel.run.apply(Change::path_left);
+  return refused;
+}
 
 std::string_view jog(Channel& channel, const Jog& jog) RT_SAFE {
   return move_axis(channel, jog, [&](double from, const AxisFeedback& drive) RT_SAFE {

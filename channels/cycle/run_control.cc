@@ -7,6 +7,7 @@ void RunControl::begin_run() RT_SAFE {
   state_.apply(Change::run_begins);
   stepper_.begin(runs_.run());
   holds_path_ = false;
+  motion_.cut_history();
 }
 
 void RunControl::end_run(RunResult result, std::uint64_t blocks) RT_SAFE {
@@ -27,8 +28,8 @@ void RunControl::hold(HoldCause cause) RT_SAFE {
 
 void RunControl::stop_by_hand() RT_SAFE {
   ++hand_stops_;
-  motion_.manual().stop();
-  if (!motion_.manual().is_active()) state_.apply(Change::hand_ends);
+  motion_.stop_by_hand();
+  if (!motion_.moves_by_hand()) state_.apply(Change::hand_ends);
 }
 
 void RunControl::hold_by_operator(FeedStop feed_stop) RT_SAFE {

@@ -164,20 +164,21 @@ int call_for_all(OperatorClient& client, const OperatorCall& call,
   return code;
 }
 
-// A continuous jog lasts as long as this command: to its time, or until it is interrupted. Whatever
-// ends it, the axis comes to rest when the lease has run out.
+// A continuous jog lasts as long as this command: to its time, until it is interrupted, or, along a
+// path, to its end. Whatever ends it, the axis comes to rest when the lease has run out.
 int keep_jogging(OperatorClient& client, const OperatorCall& call,
                  OperatorClient::Deadline deadline) {
   constexpr auto renewal = std::chrono::milliseconds(80);
-  do {
+  for (bool moves = false; !deadline || OperatorClient::Clock::now() < *deadline; moves = true) {
     const auto accepted = client.call(std::string(call.method->name), call.parameters,
                                       OperatorClient::Clock::now() + std::chrono::seconds(2));
     if (!accepted) {
       show_failure(accepted.error(), call.form);
-      return exit_code(accepted.error().kind);
+      const bool is_at_end = moves && accepted.error().code == "E6102";
+      return is_at_end ? 0 : exit_code(accepted.error().kind);
     }
     client.listen(OperatorClient::Clock::now() + renewal);
-  } while (!deadline || OperatorClient::Clock::now() < *deadline);
+  }
   return 0;
 }
 

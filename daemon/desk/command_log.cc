@@ -13,7 +13,7 @@ constexpr std::size_t parameters_bytes_max = 1000;  // of a record
 
 // A jog is renewed many times a second: what it is told by is its axis moving.
 bool is_remembered(const protocol::Request& request) {
-  return request.method != "jog";
+  return request.method != "jog" && request.method != "program.retrace";
 }
 
 }  // namespace

@@ -85,6 +85,12 @@ json work_offset_of(const std::vector<std::string>& g_codes) {
   return code == g_codes.end() ? json(nullptr) : json(*code);
 }
 
+json retrace_of(const channels::RetraceState& state) {
+  json line = nullptr;
+  if (state.line != 0) line = state.line;
+  return {{"blocks", state.blocks_back}, {"to_line", state.oldest_line}, {"line", std::move(line)}};
+}
+
 json coolant_of(const std::vector<std::string>& m_codes) {
   json coolant = json::array();
   for (const std::string& code : m_codes) {

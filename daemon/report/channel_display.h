@@ -27,6 +27,10 @@ namespace stanok::daemon {
 // a run, "mark", "input", "channel", "machine"; null: for nothing.
 [[nodiscard]] nlohmann::json wait_of(const channels::ChannelOutput& output);
 
+// {"blocks", "to_line", "line"}: how far the axes of a held program can go back along its path, and
+// where they are on that way; null: on the path itself.
+[[nodiscard]] nlohmann::json retrace_of(const channels::RetraceState& state);
+
 // Of the active codes: G54 and the like; those that switch coolant. Null, empty: none.
 [[nodiscard]] nlohmann::json work_offset_of(const std::vector<std::string>& g_codes);
 [[nodiscard]] nlohmann::json coolant_of(const std::vector<std::string>& m_codes);

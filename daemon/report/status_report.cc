@@ -367,6 +367,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"coolant", coolant_of(lang::names_of(codes, 'M'))},
           {"held_by", text_or_null(std::string(channels::text_of(output.hold_cause)))},
           {"aside", output.aside},
+          {"retrace", retrace_of(output.retrace)},
           {"spindles_off", output.spindles_off},
           {"coolant_off", output.coolant_off},
           {"controlled_by", text_or_null(notes.controlled_by)},

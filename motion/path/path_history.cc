@@ -148,6 +148,12 @@ std::uint64_t PathHistory::blocks_between(Place first, Place last) const RT_SAFE
   return first < last ? block_at(before(last)) - block_at(first) + 1 : 0;
 }
 
+std::uint32_t PathHistory::line_at(Place place) const RT_SAFE {
+  BlockTag tag;
+  copy(place + sizeof(Size) + offsetof(Head, tag), &tag, sizeof tag);
+  return tag.line;
+}
+
 std::uint64_t PathHistory::block_at(Place place) const RT_SAFE {
   static_assert(offsetof(Head, block) == 0);
   std::uint64_t block = 0;

@@ -51,6 +51,8 @@ class PathHistory {
   [[nodiscard]] Place behind(Place place) const RT_SAFE;
   // The record that begins there.
   void read(Place place, PassedSegment& record) const RT_SAFE;
+  // Of the record that begins there.
+  [[nodiscard]] std::uint32_t line_at(Place place) const RT_SAFE;
   // Blocks between two places, those that are kept in part included.
   [[nodiscard]] std::uint64_t blocks_between(Place first, Place last) const RT_SAFE;
 

@@ -36,8 +36,8 @@ void Retrace::end() RT_SAFE {
 }
 
 void Retrace::go(RetraceWay way, double length) RT_SAFE {
-  if (!stops_ && way == way_) {
-    left_ += length;
+  if (!stops_) {
+    left_ = way == way_ ? left_ + length : std::max(left_ - length, 0.0);
     return;
   }
   if (!motion::is_at_rest(motion_) || is_at_end(way)) return;

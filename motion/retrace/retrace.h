@@ -41,8 +41,8 @@ class Retrace {
   // The path has the axes again, or is gone.
   void end() RT_SAFE;
 
-  // Goes that way by `length`, or until it is stopped, as far as there is a way. At rest; while it
-  // moves that way, it goes so much farther.
+  // Goes that way by `length`, or until it is stopped, as far as there is a way. While it moves by
+  // a length, it goes so much farther, or less far; else only at rest.
   void go(RetraceWay way, double length = unlimited) RT_SAFE;
   void stop() RT_SAFE { stops_ = true; }
 

@@ -7,6 +7,7 @@ void RetraceTrack::begin(const Segment* held, double way) RT_SAFE {
   has_held_ = held != nullptr && way > rounding;
   if (!has_held_) return;
   held_ = *held;
+  held_.process = {};
   way_ = way;
 }
 

@@ -80,6 +80,24 @@ constexpr Parameter return_velocity{
         "velocity along the way back; default: that with which the slowest axis searches its "
         "home switch"};
 constexpr std::array of_return{return_velocity, channel, seen_cycle};
+constexpr auto retrace_directions = std::to_array<std::string_view>({"back", "forward"});
+constexpr Parameter retrace_direction{
+    .name = "direction",
+    .type = ParameterType::choice,
+    .presence = Presence::required,
+    .spelling = Spelling::positional,
+    .carries = Carries::number,
+    .choices = retrace_directions,
+    .help = "back along what was passed, or forward as far as where the program is held"};
+constexpr Parameter retrace_increment{
+    .name = "increment",
+    .type = ParameterType::number,
+    .carries = Carries::value,
+    .unit = "mm",
+    .minimum = 0,
+    .maximum = velocity_limit,
+    .help = "way along the path; without it the axes move as long as the command is repeated"};
+constexpr std::array of_retrace{retrace_direction, retrace_increment, channel, seen_cycle};
 constexpr std::array of_skip{skip_level, channel};
 constexpr std::array of_search{search_target, search_pass, search_calculation, channel};
 constexpr std::array of_feed{percent(0, 200), channel, seen_cycle};
@@ -130,6 +148,14 @@ constexpr auto program_rows = std::to_array<Method>({
      .parameters = of_return,
      .help = "move axes that were jogged away from a held program back to its path, the way that "
              "they came; first spindles and coolant are as the program left them"},
+    {.name = "program.retrace",
+     .role = machine_operator,
+     .effect = Effect::begins_motion,
+     .course = Course::repeats,
+     .action = "program_retrace",
+     .parameters = of_retrace,
+     .help = "move the axes of a held program back along its path, or forward again, at the "
+             "programmed feed under the overrides: by an increment, or for 200 ms at a time"},
     {.name = "program.spindles",
      .role = machine_operator,
      .effect = Effect::begins_motion,

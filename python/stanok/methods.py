@@ -14,7 +14,7 @@ STOPS = frozenset({
     "machine.off", "machine.estop", "program.hold", "program.stop", "program.reset",
 })
 MOVES = frozenset({
-    "machine.on", "program.run", "program.start", "program.resume", "program.return",
+    "machine.on", "program.run", "program.start", "program.resume", "program.return", "program.retrace",
     "program.spindles", "program.coolant", "queue.start", "kinematics.select", "mdi", "jog",
     "handwheel", "home",
 })
@@ -370,6 +370,30 @@ class ProgramMethods:
                 ago.
         """
         return self._call("program.return", _given(velocity=velocity, channel=channel, seen_cycle=seen_cycle))
+
+    def retrace(
+        self,
+        direction: Literal["back", "forward"],
+        *,
+        increment: float | None = None,
+        channel: int | None = None,
+        seen_cycle: int | None = None,
+    ) -> dict[str, Any]:
+        """Move the axes of a held program back along its path, or forward again, at the programmed feed under the
+        overrides: by an increment, or for 200 ms at a time.
+
+        ``program.retrace``, for the role operator.
+
+        Args:
+            direction: back along what was passed, or forward as far as where the program is held.
+            increment: way along the path; without it the axes move as long as the command is repeated; 0 to
+                100000 mm.
+            channel: channel; default: the first one; 1 to 999.
+            seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long
+                ago.
+        """
+        return self._call("program.retrace", _given(
+            direction=direction, increment=increment, channel=channel, seen_cycle=seen_cycle))
 
     def spindles(self, on: int, *, channel: int | None = None, seen_cycle: int | None = None) -> dict[str, Any]:
         """Stop the spindles of a held program, or let them turn again; they turn before the program continues.

@@ -103,9 +103,26 @@ class Scene {
     return course;
   }
 
+  // Along the path, by a way or as long as it is asked for.
+  void retrace() {
+    commands::ProgramRetrace retrace;
+    retrace.direction = pick(0, 2) == 0 ? RetraceDirection::forward : RetraceDirection::back;
+    if (pick(0, 1) == 0) retrace.length = real(0.01, 60.0);
+    for (int times = retrace.length > 0.0 ? 1 : pick(1, 20); times > 0; --times) {
+      const OperatorReply reply = answer(retrace);
+      const std::string_view code = reply.code.view();
+      EXPECT_TRUE(reply.ok || code == "E6099" || code == "E6102" || code == "E6097") << code;
+      if (reply.ok) ++retraced;
+      if (retrace.length == 0.0)
+        for (int n = 0; n < 100; ++n) watch(bench.cycle());
+    }
+    rest();
+  }
+
   // Axes away, a few times, one after the other.
   void go_away() {
     for (int moves = pick(1, 6); moves > 0; --moves) {
+      if (pick(0, 2) == 0) retrace();
       commands::Jog jog;
       const std::size_t axis = static_cast<std::size_t>(pick(0, 2));
       jog.axis = ShortText(shop_.jogged[axis]);
@@ -125,6 +142,7 @@ class Scene {
 
  public:
   MachineBench bench;
+  int retraced = 0;
 };
 
 // The courses without the time that axes stand in front.
@@ -140,6 +158,7 @@ class MoveAside : public ::testing::TestWithParam<Shop> {};
 TEST_P(MoveAside, TheProgramGoesOnAsIfNobodyHadTouchedIt) {
   const unsigned seeds = testing::is_sanitized ? 4 : 40;
   int left = 0;
+  int retraced = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     SCOPED_TRACE(seed);
     Scene untouched(GetParam(), seed);
@@ -170,7 +189,7 @@ TEST_P(MoveAside, TheProgramGoesOnAsIfNobodyHadTouchedIt) {
         scene.go_away();
       }
       if (scene.bench.channel(1).aside) {
-        const OperatorReply& back = scene.answer(commands::ProgramReturn{scene.real(0.0, 80.0)});
+        const OperatorReply& back = scene.answer(commands::ProgramReturn{scene.real(2.0, 80.0)});
         EXPECT_TRUE(back.ok) << back.code.view();
       }
       if (is_off) {
@@ -179,12 +198,14 @@ TEST_P(MoveAside, TheProgramGoesOnAsIfNobodyHadTouchedIt) {
     }
     EXPECT_FALSE(scene.bench.channel(1).aside);
     EXPECT_EQ(scene.axes(), held);
+    retraced += scene.retraced > 0 ? 1 : 0;
     scene.bench.ask(OperatorAction::program_start, 1);
     untouched.bench.ask(OperatorAction::program_start, 1);
     EXPECT_EQ(moving_part(scene.rest_of_program()), moving_part(untouched.rest_of_program()));
     EXPECT_EQ(scene.bench.alarm_codes(), std::vector<std::string>());
   }
   EXPECT_GT(left, static_cast<int>(seeds) / 2);
+  EXPECT_GE(retraced, static_cast<int>(seeds) / 8);
 }
 
 TEST_P(MoveAside, AResetLeavesTheAxesWhereTheyAre) {

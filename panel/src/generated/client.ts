@@ -192,6 +192,11 @@ export interface Methods {
         version: number;
       };
       remaining_s: number | null;
+      retrace: {
+        blocks: number;
+        line: number | null;
+        to_line: number;
+      };
       run: number;
       scheme: number;
       single_block: boolean;
@@ -526,6 +531,18 @@ export interface Methods {
   "program.return": {
     params: {
       velocity?: number;
+      channel?: number;
+      seen_cycle?: number;
+    };
+    result: {
+      accepted: boolean;
+    };
+  };
+  /** move the axes of a held program back along its path, or forward again, at the programmed feed under the overrides: by an increment, or for 200 ms at a time */
+  "program.retrace": {
+    params: {
+      direction: "back" | "forward";
+      increment?: number;
       channel?: number;
       seen_cycle?: number;
     };
@@ -1737,6 +1754,7 @@ export const method_roles: Record<MethodName, string> = {
   "program.hold": 'operator',
   "program.resume": 'operator',
   "program.return": 'operator',
+  "program.retrace": 'operator',
   "program.spindles": 'operator',
   "program.coolant": 'operator',
   "program.stop": 'operator',
@@ -1820,6 +1838,7 @@ export const aged_methods: readonly string[] = [
   'program.start',
   'program.resume',
   'program.return',
+  'program.retrace',
   'program.spindles',
   'program.coolant',
   'program.first_part',

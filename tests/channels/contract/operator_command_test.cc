@@ -66,6 +66,7 @@ std::vector<Recorded> all_commands() {
       {CoolantSwitch{Switch::on}, 33, "coolant_switch", 1},
       {Handwheel{ShortText("X"), -0.5}, 34, "handwheel", 0, -0.5, 0.0, "X"},
       {FirstPart{Switch::on}, 35, "first_part", 1},
+      {ProgramRetrace{RetraceDirection::forward, 2.5}, 36, "program_retrace", 1, 2.5},
   };
 }
 
@@ -114,7 +115,7 @@ TEST(OperatorCommandTest, FieldsThatAreNotGivenStayEmpty) {
 }
 
 TEST(OperatorCommandTest, WhatNoCommandHasIsNone) {
-  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(36)}));
+  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(37)}));
   EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(255)}));
   EXPECT_FALSE(
       command_of({.action = OperatorAction::process_automatic, .text = ShortText("other")}));

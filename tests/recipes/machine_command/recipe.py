@@ -10,18 +10,18 @@ RECIPE = Recipe("A command that the machine executes", [
      .parameters = of_channel,
      .help = "end single block"},
 """),
-    after("channels/contract/operator_command.h", "  first_part,", "  continuous,"),
+    after("channels/contract/operator_command.h", "  program_retrace,", "  continuous,"),
     before("channels/contract/operator_command.h", "// The session that has the channel to itself.", """
 // The program no longer stops after each block.
 struct Continuous {};
 """),
     replaced("channels/contract/operator_command.h", """
-    commands::FirstPart>;
+    commands::FirstPart, commands::ProgramRetrace>;
 """, """
-    commands::FirstPart, commands::Continuous>;
+    commands::FirstPart, commands::ProgramRetrace, commands::Continuous>;
 """),
     after("channels/contract/operator_action.cc", """
-    {Action::first_part, "first_part", Effect::none, Rule::always, Reach::channel},
+    {Action::program_retrace, "program_retrace", Effect::begins, Rule::interlude, Reach::channel},
 """, """
     {Action::continuous, "continuous", Effect::none, Rule::always, Reach::channel},
 """),
@@ -37,11 +37,11 @@ struct Continuous {};
   if (std::holds_alternative<commands::Continuous>(command)) notes.single_block = false;
 """),
     after("tests/channels/contract/operator_command_test.cc", """
-      {FirstPart{Switch::on}, 35, "first_part", 1},
+      {ProgramRetrace{RetraceDirection::forward, 2.5}, 36, "program_retrace", 1, 2.5},
 """, """
-      {Continuous{}, 36, "continuous"},
+      {Continuous{}, 37, "continuous"},
 """),
     replaced("tests/channels/contract/operator_command_test.cc",
-             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(36)}));",
-             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(37)}));"),
+             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(37)}));",
+             "  EXPECT_FALSE(command_of({.action = static_cast<OperatorAction>(38)}));"),
 ])

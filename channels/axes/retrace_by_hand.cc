@@ -1,0 +1,55 @@
+#include "channels/axes/retrace_by_hand.h"
+
+#include <cmath>
+
+#include "channels/axes/manual_axis.h"
+
+namespace stanok::channels {
+
+std::string_view RetraceByHand::go(RetraceDirection direction, double length) RT_SAFE {
+  const motion::RetraceWay way = way_of(direction);
+  const bool is_lease = length == 0.0;
+  if (is_moving() && is_lease != is_leased()) return "E6056";
+  if (is_moving() && is_lease && way != retrace_.way()) {
+    stop();
+    return {};
+  }
+  if (retrace_.is_at_end(way)) return "E6102";
+  cycles_left_ = is_lease ? std::llround(jog_lease_s / cycle_s_) : -1;
+  if (!is_lease) {
+    retrace_.go(way, length);
+  } else if (!is_moving()) {
+    retrace_.go(way);
+  }
+  return {};
+}
+
+void RetraceByHand::return_to_path() RT_SAFE {
+  if (is_moving()) return;
+  cycles_left_ = -1;
+  retrace_.go(motion::RetraceWay::forward);
+}
+
+void RetraceByHand::lead(const motion::FeedControl& control, motion::InterpolatorOutput& path)
+    RT_SAFE {
+  if (cycles_left_ >= 0 && cycles_left_-- == 0) stop();
+  motion::RetraceOutput out;
+  retrace_.advance(control, out);
+  line_ = out.tag.line;
+  if (is_back()) return;
+  path.axes = out.axes;
+  path.point = out.point;
+  path.s_speed = out.s_speed;
+}
+
+RetraceState RetraceByHand::state() const RT_SAFE {
+  RetraceState state;
+  state.blocks_back = retrace_.is_on()
+                          ? retrace_.blocks_left()
+                          : history_.blocks_between(history_.oldest(), history_.newest());
+  if (retrace_.is_on()) state.line = line_;
+  if (!history_.is_empty()) state.oldest_line = history_.line_at(history_.oldest());
+  return state;
+}
+
+}  // namespace stanok::channels
