@@ -208,7 +208,10 @@ void AxisMotion::show(ChannelOutput& output) const RT_SAFE {
   output.feed_commanded = path_.feed_commanded;
   output.path_speed = path_.s_speed;
   output.aside = is_off_path();
-  output.retrace = retrace_.state();
+  const bool is_within = path_.state == motion::PathState::moving ||
+                         path_.state == motion::PathState::holding ||
+                         path_.state == motion::PathState::starved;
+  output.retrace = retrace_.state(is_within ? &path_.tag : nullptr);
   output.on_arc = path_.on_arc;
   output.point_W = path_.point;
   output.work_frame = frame_.frame;

@@ -42,13 +42,18 @@ void RetraceByHand::lead(const motion::FeedControl& control, motion::Interpolato
   path.s_speed = out.s_speed;
 }
 
-RetraceState RetraceByHand::state() const RT_SAFE {
+RetraceState RetraceByHand::state(const motion::BlockTag* current) const RT_SAFE {
   RetraceState state;
-  state.blocks_back = retrace_.is_on()
-                          ? retrace_.blocks_left()
-                          : history_.blocks_between(history_.oldest(), history_.newest());
-  if (retrace_.is_on()) state.line = line_;
   if (!history_.is_empty()) state.oldest_line = history_.line_at(history_.oldest());
+  if (retrace_.is_on()) {
+    state.blocks_back = retrace_.blocks_left();
+    state.line = line_;
+    return state;
+  }
+  state.blocks_back = history_.blocks_between(history_.oldest(), history_.newest());
+  if (current == nullptr) return state;
+  if (history_.is_empty()) state.oldest_line = current->line;
+  if (history_.is_empty() || !history_.is_of_newest_block(*current)) ++state.blocks_back;
   return state;
 }
 

@@ -55,8 +55,9 @@ class RetraceByHand {
   // Once a cycle while it is on: sets in `path` where the axes are. Where they are back on the
   // path, that is left as it is.
   void lead(const motion::FeedControl& control, motion::InterpolatorOutput& path) RT_SAFE;
-  // What was passed, of a path that is held or not.
-  [[nodiscard]] RetraceState state() const RT_SAFE;
+  // What was passed, of a path that is held or not; `current`: the block in which it is, nullptr
+  // between chains.
+  [[nodiscard]] RetraceState state(const motion::BlockTag* current) const RT_SAFE;
 
  private:
   [[nodiscard]] static motion::RetraceWay way_of(RetraceDirection direction) RT_SAFE {

@@ -421,6 +421,21 @@ test('in a held program the axes are moved away and come back', async () => {
   );
   assert.deepEqual([await at('X'), await at('Z')], [x, z]);
   assert.equal(await turning(), 1000);
+  const back = card.getByRole('button', { name: 'Back along the path' });
+  const box = await back.boundingBox();
+  await other.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await until('it goes back', async () => {
+    await other.mouse.down();
+    await card.getByText('The axes are in line 2').waitFor();
+    const goes = (await at()) < x - 0.1;
+    await other.mouse.up();
+    return goes;
+  });
+  await until('it stands', async () => (await stage.status()).speed_mm_s === 0);
+  await clickUntil('it is back again', card.getByRole('button', { name: 'Return to path' }), () =>
+    resume.isVisible(),
+  );
+  assert.deepEqual([await at('X'), await at('Z')], [x, z]);
   await clickUntil('it cuts on', resume, async () => (await at()) > x);
   await card.getByRole('button', { name: 'Stop', exact: true }).click();
   await until('it is over', async () => (await stage.client.call('machine.status')).idle);

@@ -69,7 +69,7 @@ class RetraceTest : public ::testing::Test {
 
 TEST_F(RetraceTest, GoesBackByAWayAlongThePathAndSaysHowFarItCan) {
   hold_at(25.0, "G1 X10 F3000\nY5\nX20\nY0\nX40\nM30\n");
-  EXPECT_EQ(channel().retrace.blocks_back, 4U);  // those behind, before it was left
+  EXPECT_EQ(channel().retrace.blocks_back, 5U);
   EXPECT_EQ(channel().retrace.oldest_line, 1U);
   EXPECT_EQ(channel().retrace.line, 0U);
   const double held = x();
@@ -211,7 +211,7 @@ TEST_F(RetraceTest, AFaultWhileItMovesStopsItWhereItIs) {
   EXPECT_EQ(x(), stands);
 }
 
-TEST(Retrace, WithoutMemoryThereIsNoWayBack) {
+TEST(Retrace, WithoutMemoryTheWayEndsWithTheBlock) {
   MachineConfig config = testing::two_channel_machine();
   config.retrace_memory_mb = 0;
   MachineBench bench(config, {.on_at_start = true});
@@ -219,7 +219,7 @@ TEST(Retrace, WithoutMemoryThereIsNoWayBack) {
   bench.run(1, "p.nc");
   bench.cycle();
   for (int n = 0; n < 60000 && bench.channel(1).axes[1].position < 2.0; ++n) bench.cycle();
-  EXPECT_EQ(bench.channel(1).retrace.blocks_back, 0U);
+  EXPECT_EQ(bench.channel(1).retrace.blocks_back, 1U);
   bench.run_to_end();
   EXPECT_EQ(bench.channel(1).axes[0].position, 20.0);
 }

@@ -1,4 +1,4 @@
-// Continuous jogging: a lease of 200 ms that is renewed only while the key or button is down.
+// Continuous jogging, and the way back along a path: a lease of 200 ms that is renewed only while the key or button is down.
 //
 // The daemon stops the axis by itself when no renewal comes. Renewals go out by the clock and do not wait
 // for the way there and back, so that an axis goes on behind a slow connection, too. What keeps it from
@@ -11,19 +11,27 @@
 // presses is told why it ended, unless it was let go.
 import { noData, ownNumbers, Refusal } from './json_rpc';
 
-export interface JogMotion {
+/** What moves as long as it is asked for again. */
+export interface LeasedMotion {
   channel: number;
+  /** The newest cycle of the machine that was seen when it was pressed. */
+  seen_cycle?: number;
+}
+
+export interface JogMotion extends LeasedMotion {
   axis: string;
   /** mm/s or deg/s; the sign is the direction. */
   velocity: number;
   /** Whose directions: left out, an axis of the machine; else `axis` is X, Y or Z. */
   frame?: 'tool' | 'plane';
-  /** The newest cycle of the machine that was seen when it was pressed. */
-  seen_cycle?: number;
 }
 
-export interface JogPort {
-  jog(motion: JogMotion): Promise<unknown>;
+export interface RetraceMotion extends LeasedMotion {
+  direction: 'back' | 'forward';
+}
+
+export interface JogPort<Motion extends LeasedMotion = JogMotion> {
+  jog(motion: Motion): Promise<unknown>;
   hold(channel: number): Promise<unknown>;
   /** Connection live, page visible and in focus. */
   mayGoOn(): boolean;
@@ -46,22 +54,22 @@ interface Press {
 /** A stop that was given later came before it. */
 const overtakenByStop = 'E6072';
 
-export class JogLease {
-  #motion: JogMotion | null = null;
+export class JogLease<Motion extends LeasedMotion = JogMotion> {
+  #motion: Motion | null = null;
   #press: Press = { sent: 0, answered: 0, isTold: false, isReleased: false };
   #timer: ReturnType<typeof setInterval> | null = null;
   #sentAt = 0;
 
   constructor(
-    private readonly port: JogPort,
-    private readonly changed: (motion: JogMotion | null) => void = () => undefined,
+    private readonly port: JogPort<Motion>,
+    private readonly changed: (motion: Motion | null) => void = () => undefined,
   ) {}
 
-  get motion(): JogMotion | null {
+  get motion(): Motion | null {
     return this.#motion;
   }
 
-  press(motion: JogMotion): void {
+  press(motion: Motion): void {
     this.release();
     if (!this.port.mayGoOn()) return;
     this.#motion = motion;
@@ -77,7 +85,7 @@ export class JogLease {
     if (motion !== null) this.port.hold(motion.channel).catch(() => undefined);
   }
 
-  #end(): JogMotion | null {
+  #end(): Motion | null {
     const motion = this.#motion;
     if (this.#timer !== null) clearInterval(this.#timer);
     this.#timer = null;

@@ -144,10 +144,10 @@ void LineSource::add_moves() {
   add("stored point", [this, word] {
     return any_of({"G28.1", "G30.1", "G91 G28 " + word + "0", "G91 G30 " + word + "0"});
   });
-  for (const char* word : {"A", "B", "C"}) {
-    if (!is_mill || !has(word)) continue;
-    add("rotary axis", [this, word] {
-      return any_of({"G90 G0 ", "G90 G1 "}) + word + number(choices_.between(-25.0, 25.0));
+  for (const char* rotary : {"A", "B", "C"}) {
+    if (!is_mill || !has(rotary)) continue;
+    add("rotary axis", [this, rotary] {
+      return any_of({"G90 G0 ", "G90 G1 "}) + rotary + number(choices_.between(-25.0, 25.0));
     });
   }
   if (!is_mill) return;
