@@ -12,6 +12,8 @@
 #include "kinematics/scheme.h"
 #include "motion/interpolation/interpolator.h"
 #include "motion/look_ahead/look_ahead.h"
+#include "motion/path/path_history.h"
+#include "motion/retrace/retrace.h"
 #include "motion/segments/path_builder.h"
 
 namespace stanok::motion {
@@ -173,6 +175,43 @@ void cycle_stop_at_axis_limits(benchmark::State& state) {
   run_cycles(state, {.hold = true}, {}, path);
 }
 BENCHMARK(cycle_stop_at_axis_limits);
+
+// What has been passed is noted: per segment, with the bytes that it takes, in as many axes.
+void note_passed_segment(benchmark::State& state) {
+  PathHistory history(std::size_t{48} << 20);
+  std::vector<Segment> segments;
+  for (const auto& built : path_at_feed()) {
+    segments.push_back(built.segment);
+    segments.back().geometry.metric.axis_count = static_cast<int>(state.range(0));
+  }
+  std::size_t next = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    history.note(segments[next], ChainPlace::within);
+    next = (next + 1) % segments.size();
+  }
+  state.counters["bytes"] =
+      static_cast<double>(history.newest() - history.before(history.newest()));
+}
+BENCHMARK(note_passed_segment)->ArgName("axes")->Arg(3)->Arg(5);
+
+// One cycle of the way back, and forwards again.
+void cycle_retrace(benchmark::State& state) {
+  const MotionConfig config = five_axes();
+  PathHistory history(std::size_t{48} << 20);
+  for (const auto& built : path_at_feed())
+    history.note(built.segment, built.ends_chain ? ChainPlace::last : ChainPlace::within);
+  Retrace retrace(config, history);
+  retrace.begin(nullptr, 0.0, {});
+  RetraceOutput out;
+  for ([[maybe_unused]] auto _ : state) {
+    if (retrace.is_at_rest()) {
+      retrace.go(retrace.is_at_end(RetraceWay::back) ? RetraceWay::forward : RetraceWay::back);
+    }
+    retrace.advance({}, out);
+    benchmark::DoNotOptimize(out);
+  }
+}
+BENCHMARK(cycle_retrace);
 
 }  // namespace
 }  // namespace stanok::motion

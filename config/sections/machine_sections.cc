@@ -136,7 +136,8 @@ const Keys<MachineSection>& machine_keys() {
        from(0.0, 3600.0)},
       {"retrace_memory", at<&MachineSection::retrace_memory_mb>, optional, "MB",
        "memory of each channel for the path that lies behind, along which the axes of a held "
-       "program can go back: 48 MB hold about 100 000 short blocks; 0: within the block only",
+       "program can go back: 64 MB hold 100 000 short blocks in five axes; 0: within the block "
+       "only",
        from(0, 4096)},
       {"request_age_max", at<&MachineSection::request_age_max_s>, optional, "s",
        "age above which a command that begins motion is refused", from(0.1, 60.0)},

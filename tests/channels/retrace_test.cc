@@ -1,9 +1,11 @@
 // Retrace: how far the axes of a held program go back along its path, and what ends that.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/support/machine/machine_bench.h"
+#include "tests/support/sanitized.h"
 
 namespace stanok::channels {
 namespace {
@@ -209,6 +211,44 @@ TEST_F(RetraceTest, AFaultWhileItMovesStopsItWhereItIs) {
   EXPECT_EQ(channel().state, ChannelState::alarm);
   cycles(500);
   EXPECT_EQ(x(), stands);
+}
+
+// The whole way of a program of many short blocks, which cannot be undone before.
+TEST(Retrace, HoldsAHundredThousandBlocks) {
+  const int blocks = testing::cases(100'000);
+  MachineBench bench(testing::two_channel_machine(), {.on_at_start = true});
+  std::string text = "M3 S500\nF6000\n";
+  for (int k = 1; k <= blocks + 2000; ++k) {
+    const double a = 0.002 * k;
+    text += "G1 X" + std::to_string(20.0 - 20.0 * std::cos(a)) + " Y" +
+            std::to_string(20.0 * std::sin(a)) + "\n";
+  }
+  bench.program("p.nc", text + "M30\n");
+  bench.run(1, "p.nc");
+  const auto& channel = [&]() -> const ChannelOutput& { return bench.channel(1); };
+  bench.cycle();
+  for (int n = 0; n < 1000 && !channel().running; ++n) bench.cycle();
+  while (channel().retrace.blocks_back < static_cast<std::uint64_t>(blocks)) {
+    ASSERT_TRUE(channel().running);
+    bench.cycle();
+  }
+  bench.ask(OperatorAction::program_hold, 1);
+  for (int n = 0; n < 500; ++n) bench.cycle();
+  const double held_x = channel().axes[0].position;
+  const double held_y = channel().axes[1].position;
+  for (const RetraceDirection direction : {RetraceDirection::back, RetraceDirection::forward}) {
+    OperatorEvent event;
+    event.channel = 1;
+    event.command = commands::ProgramRetrace{direction, 1e6};
+    bench.ask(event);
+    bench.cycle();
+    for (int n = 0; n < 200000 && channel().moving; ++n) bench.cycle();
+    const bool is_back = direction == RetraceDirection::back;
+    EXPECT_NEAR(channel().axes[0].position, is_back ? 0.0 : held_x, 1e-9);
+    EXPECT_NEAR(channel().axes[1].position, is_back ? 0.0 : held_y, 1e-9);
+    EXPECT_EQ(channel().retrace.line, is_back ? 3U : 0U);
+  }
+  EXPECT_FALSE(channel().aside);
 }
 
 TEST(Retrace, WithoutMemoryTheWayEndsWithTheBlock) {
