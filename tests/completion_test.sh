@@ -59,7 +59,7 @@ expect() {
 }
 
 expect program process -- stanok pro
-expect read remove run resume return reset -- stanok program r
+expect read remove run resume return retrace reset -- stanok program r
 expect --wait -- stanok program run part.nc --w
 expect --all -- stanok program reset --a
 expect verify -- stanok log ver

@@ -92,7 +92,7 @@ expect_completions() {
   [[ $found == "$wanted" ]] || fail "completion of '$*': $found, not $wanted"
 }
 expect_completions 'program process' stanok pro
-expect_completions 'read remove run resume return reset' stanok program r
+expect_completions 'read remove run resume return retrace reset' stanok program r
 expect_completions '--wait' stanok program run part.nc --w
 expect_completions 'verify' stanok log ver
 man_pages=$(find "$usr/share/man" -name 'stanok*' | wc -l)

@@ -134,7 +134,8 @@ class Windows(WithServer):
     def required(method):
         """Parameters that a method cannot do without."""
         examples = {"integer": 1, "number": 1.0, "string": "X"}
-        return {one["name"]: examples[one["schema"]["type"]] for one in method["params"] if one.get("required")}
+        return {one["name"]: one["schema"].get("enum", [examples[one["schema"]["type"]]])[0]
+                for one in method["params"] if one.get("required")}
 
     def test_motion_of_a_page_that_hides_what_it_saw_does_not_begin(self):
         window = self.browser.open_window()
