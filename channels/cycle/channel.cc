@@ -28,7 +28,7 @@ void Channel::see_gap(const ClockGap& gap) RT_SAFE {
   if (motion.path().is_led_by_spindle)
     return run.fail("A4002", text.append(" in a thread").view(), motion.path().tag);
   if (gap.then == AfterGap::is_held) {
-    if (state().is_held()) return;  // for a cause of its own
+    if (state().is_held()) return run.stop_by_hand();  // it keeps its own cause
     if (state().situation() == Situation::running)
       log.tell("W732", text.view(), items_.current_tag());
     return run.hold(HoldCause::clock_gap);

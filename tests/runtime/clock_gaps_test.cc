@@ -322,6 +322,38 @@ TEST(ClockGaps, AJogEndsWhereTheControlStoodStill) {
   EXPECT_LT(late.shown.axes[0].position, before + 20.0 * 0.2);
 }
 
+// In a hold axes are jogged away, or led back along the path: these moves end, too, and the hold
+// keeps its cause.
+TEST(ClockGaps, AMoveInAHoldEndsWhereTheControlStoodStill) {
+  for (const OperatorAction action : {OperatorAction::jog, OperatorAction::program_retrace}) {
+    SCOPED_TRACE(static_cast<int>(action));
+    LateClock late("mill3.toml", DriveChoice::ideal, 1);
+    late.begin("G1 X200 F3000\nX400\nM30\n");
+    ASSERT_FALSE(late.go_on(2000));
+    late.by_chance().ask(OperatorAction::program_hold, 1);
+    ASSERT_FALSE(late.go_on(500));
+    const bool is_jog = action == OperatorAction::jog;
+    late.by_chance().ask(action, 1, is_jog ? "Y" : "", is_jog ? 20.0 : 50.0, is_jog ? 100.0 : 0.0);
+    ASSERT_FALSE(late.go_on(500));
+    ASSERT_TRUE(late.shown.moving);
+    const double before = late.shown.axes[is_jog ? 1 : 0].position;
+    bool was_late = false;
+    late.be_late([&](std::mt19937_64&) -> std::int64_t {
+      return std::exchange(was_late, true) ? 0 : 11'000;
+    });
+    ASSERT_FALSE(late.go_on(1000));
+    EXPECT_FALSE(late.shown.moving);
+    EXPECT_TRUE(late.shown.aside);
+    EXPECT_NEAR(late.shown.axes[is_jog ? 1 : 0].position, before, 50.0 * 0.2);
+    EXPECT_EQ(late.shown.hold_cause, channels::HoldCause::operator_hold);
+    late.by_chance().ask(OperatorAction::program_return, 1);
+    ASSERT_FALSE(late.go_on(8000));
+    EXPECT_FALSE(late.shown.aside);
+    late.by_chance().close();
+    EXPECT_TRUE(replay(late.by_chance().path(), {}).is_same());
+  }
+}
+
 std::string thread() {
   return "G18 G8 G90 G97 S300 M3\nG0 X10 Z40\nG33 Z-5 K1.5\nG0 X20\nM30\n";
 }
