@@ -69,13 +69,13 @@ void AxisMotion::stop_by_hand() RT_SAFE {
   retrace_.stop();
 }
 
-std::string_view AxisMotion::retrace(const motion::PathQueue& queue, RetraceDirection direction,
-                                     double length) RT_SAFE {
+std::string_view AxisMotion::retrace(const motion::PathQueue& queue, const RetraceOrder& order)
+    RT_SAFE {
   if (!retrace_.is_on()) {
     const std::optional<double> way = interpolator_.way_into_segment(queue);
     retrace_.leave_path(way ? &queue.segments.front() : nullptr, way.value_or(0.0), axes_M());
   }
-  const std::string_view refused = retrace_.go(direction, length);
+  const std::string_view refused = retrace_.go(order);
   if (retrace_.is_back()) retrace_.end();
   return refused;
 }

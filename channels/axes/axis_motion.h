@@ -79,8 +79,8 @@ class AxisMotion {
   // While the path is held: from now on moves by hand lead the axes away from it, and back.
   void leave_path() RT_SAFE;
   // Along the path that lies behind the held one in `queue`, as RetraceByHand::go.
-  [[nodiscard]] std::string_view retrace(const motion::PathQueue& queue, RetraceDirection direction,
-                                         double length) RT_SAFE;
+  [[nodiscard]] std::string_view retrace(const motion::PathQueue& queue, const RetraceOrder& order)
+      RT_SAFE;
   [[nodiscard]] const RetraceByHand& retracing() const RT_SAFE { return retrace_; }
   // What was passed cannot be undone.
   void cut_history() RT_SAFE { retrace_.history().cut(); }

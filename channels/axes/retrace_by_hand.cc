@@ -1,14 +1,16 @@
 #include "channels/axes/retrace_by_hand.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "channels/axes/manual_axis.h"
 
 namespace stanok::channels {
 
-std::string_view RetraceByHand::go(RetraceDirection direction, double length) RT_SAFE {
-  const motion::RetraceWay way = way_of(direction);
-  const bool is_lease = length == 0.0;
+std::string_view RetraceByHand::go(const RetraceOrder& order) RT_SAFE {
+  constexpr double lag_s = 0.15;  // by which a wheel is followed
+  const motion::RetraceWay way = way_of(order.direction);
+  const bool is_lease = order.length == 0.0;
   if (is_moving() && is_lease != is_leased()) return "E6056";
   if (is_moving() && is_lease && way != retrace_.way()) {
     stop();
@@ -17,10 +19,12 @@ std::string_view RetraceByHand::go(RetraceDirection direction, double length) RT
   if (retrace_.is_at_end(way)) return "E6102";
   cycles_left_ = is_lease ? std::llround(jog_lease_s / cycle_s_) : -1;
   if (!is_lease) {
-    retrace_.go(way, length);
+    retrace_.go(way, order.length);
   } else if (!is_moving()) {
     retrace_.go(way);
   }
+  if (order.surplus == RetraceOrder::Surplus::dropped)
+    retrace_.keep_to(std::max(order.length, lag_s * retrace_.speed()));
   return {};
 }
 

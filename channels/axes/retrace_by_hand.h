@@ -19,6 +19,16 @@
 
 namespace stanok::channels {
 
+// What is asked of it: by a length, as long as it is renewed (length 0), or as a handwheel turns:
+// then what cannot be followed at once is dropped, so that the axes stand soon after the wheel.
+struct RetraceOrder {
+  enum class Surplus : std::uint8_t { kept, dropped };
+
+  RetraceDirection direction = RetraceDirection::back;
+  double length = 0.0;
+  Surplus surplus = Surplus::kept;
+};
+
 class RetraceByHand {
  public:
   // `history_bytes`: for what was passed; 0: nothing is kept.
@@ -33,8 +43,8 @@ class RetraceByHand {
   }
   void end() RT_SAFE { retrace_.end(); }
 
-  // Returns why not: a code of the catalogue; empty: it goes. `length` 0: while it is renewed.
-  [[nodiscard]] std::string_view go(RetraceDirection direction, double length) RT_SAFE;
+  // Returns why not: a code of the catalogue; empty: it goes.
+  [[nodiscard]] std::string_view go(const RetraceOrder& order) RT_SAFE;
   // As far forwards as where the path is held.
   void return_to_path() RT_SAFE;
   void stop() RT_SAFE { retrace_.stop(); }

@@ -24,6 +24,7 @@ std::string_view jog_refusal(std::string_view code) RT_SAFE {
   if (code == "E6099")
     return "the held program is in a thread, measures, or changes kinematics or axes";
   if (code == "E6100") return "the way back to the path has 63 parts: return first";
+  if (code == "E6096") return "its program is not held";
   if (code == "E6097") return "its axes were moved away from the path; return to it first";
   if (code == "E6102") return "nothing of the path that can be undone is left in this direction";
   if (code == "E6055")
@@ -56,9 +57,21 @@ Verdict apply_to(Channel& channel, const commands::Jog& command) RT_SAFE {
   return code.empty() ? success() : refusal(code, jog_refusal(code));
 }
 
+// The path of a held program, instead of an axis.
+constexpr std::string_view along_path = "path";
+
+Verdict turn_along_path(Channel& channel, double way) RT_SAFE {
+  const std::string_view code =
+      retrace(channel, {.direction = way < 0.0 ? RetraceDirection::back : RetraceDirection::forward,
+                        .length = std::abs(way),
+                        .surplus = RetraceOrder::Surplus::dropped});
+  return code.empty() ? success() : refusal(code, jog_refusal(code));
+}
+
 Verdict apply_to(Channel& channel, const commands::Handwheel& command) RT_SAFE {
   if (!std::isfinite(command.way) || command.way == 0.0)
     return refusal("E6054", "a handwheel is turned by a way that is not 0");
+  if (command.axis.view() == along_path) return turn_along_path(channel, command.way);
   const int axis = channel.axes.named(command.axis.view());
   if (axis < 0) return refusal("E6052", "the channel has no axis of that name");
   const std::string_view code = turn(channel, axis, command.way);
@@ -68,7 +81,8 @@ Verdict apply_to(Channel& channel, const commands::Handwheel& command) RT_SAFE {
 Verdict apply_to(Channel& channel, const commands::ProgramRetrace& command) RT_SAFE {
   if (!std::isfinite(command.length) || !(command.length >= 0.0))
     return refusal("E6054", "the way along the path is 0 or more");
-  const std::string_view code = retrace(channel, command.direction, command.length);
+  const std::string_view code =
+      retrace(channel, {.direction = command.direction, .length = command.length});
   return code.empty() ? success() : refusal(code, jog_refusal(code));
 }
 

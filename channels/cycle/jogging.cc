@@ -69,6 +69,7 @@ std::string_view move_axis(Channel& channel, const Jog& jog, Begin&& begin) RT_S
 
 std::string_view obstacle_of_retrace(const Channel& channel) RT_SAFE {
   const AxisMotion& motion = channel.motion;
+  if (!channel.state().is_held()) return "E6096";
   if (!motion.path_is_at_rest()) return "E6070";
   if (motion.is_in_thread() || !channel.items().lets_axes_leave()) return "E6099";
   if (motion.aside().is_on()) return "E6097";
@@ -82,9 +83,9 @@ std::string_view obstacle_of_retrace(const Channel& channel) RT_SAFE {
 
 }  // namespace
 
-std::string_view retrace(Channel& channel, RetraceDirection direction, double length) RT_SAFE {
+std::string_view retrace(Channel& channel, const RetraceOrder& order) RT_SAFE {
   if (const auto code = obstacle_of_retrace(channel); !code.empty()) return code;
-  const auto refused = channel.motion.retrace(channel.link.path, direction, length);
+  const auto refused = channel.motion.retrace(channel.link.path, order);
   if (!channel.motion.is_off_path()) return refused;
   channel.run.call_off_by_hand();
   channel.run.apply(Change::path_left);

@@ -16,8 +16,7 @@ class Channel;
 // As a handwheel was turned, by a way in mm or deg.
 [[nodiscard]] std::string_view turn(Channel& channel, int axis, double way) RT_SAFE;
 // Along the path that lies behind a held one, as RetraceByHand::go.
-[[nodiscard]] std::string_view retrace(Channel& channel, RetraceDirection direction, double length)
-    RT_SAFE;
+[[nodiscard]] std::string_view retrace(Channel& channel, const RetraceOrder& order) RT_SAFE;
 // Along X, Y or Z (`coordinate` 0, 1, 2) of the tool or of the plane; the direction of `line` is
 // found here.
 [[nodiscard]] std::string_view jog(Channel& channel, JogFrame frame, int coordinate, JogLine line)

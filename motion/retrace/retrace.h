@@ -8,6 +8,7 @@
 // Real-time; memory is taken in the constructor. Owner: the axes' motion of a channel.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/rt_safe.h"
@@ -45,9 +46,12 @@ class Retrace {
   // a length, it goes so much farther, or less far; else only at rest.
   void go(RetraceWay way, double length = unlimited) RT_SAFE;
   void stop() RT_SAFE { stops_ = true; }
+  // Of what it was to go, so much is left at most; not less than it needs to come to rest.
+  void keep_to(double length) RT_SAFE { left_ = std::min(left_, length); }
 
   [[nodiscard]] bool is_on() const RT_SAFE { return is_on_; }
   [[nodiscard]] bool is_at_rest() const RT_SAFE { return stops_ && motion::is_at_rest(motion_); }
+  [[nodiscard]] double speed() const RT_SAFE { return motion_.v; }  // > 0 whichever way
   [[nodiscard]] RetraceWay way() const RT_SAFE { return way_; }
   // Nothing is left that way; forwards: the axes are where the path is held.
   [[nodiscard]] bool is_at_end(RetraceWay way) const RT_SAFE;

@@ -1,10 +1,12 @@
 // Moving by hand: lines, jogging by button, key and step, and everything that must end a jog: letting
 // go, Escape, lost focus, a killed tab, a server that hangs.
+//
+// With STANOK_WRITE_DOCS=1 it takes the picture of docs/operator/at-the-machine.md, too.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before } from 'node:test';
-import { setStage, storyOf, until } from './stage.mjs';
+import { root, setStage, storyOf, until } from './stage.mjs';
 
 const test = storyOf();
 let stage;
@@ -432,6 +434,8 @@ test('in a held program the axes are moved away and come back', async () => {
     return goes;
   });
   await until('it stands', async () => (await stage.status()).speed_mm_s === 0);
+  if (process.env.STANOK_WRITE_DOCS)
+    await card.screenshot({ path: join(root, 'docs/operator/pictures/panel-retrace.png') });
   await clickUntil('it is back again', card.getByRole('button', { name: 'Return to path' }), () =>
     resume.isVisible(),
   );

@@ -63,8 +63,10 @@ constexpr Parameter wait_as_usual = [] {
 constexpr std::array of_line{line, channel, wait_as_usual, seen_situation, seen_cycle};
 constexpr std::array of_jog{jogged_axis, jog_velocity, jog_increment,
                             jog_frame,   channel,      seen_cycle};
-constexpr Parameter turned_axis =
-    required_text("axis", "machine axis as named in the machine file");
+constexpr Parameter turned_axis = required_text(
+    "axis",
+    "machine axis as named in the machine file, or path: that of a held program, back "
+    "or forward");
 constexpr Parameter turned_way{
     .name = "way",
     .type = ParameterType::number,

@@ -1531,7 +1531,8 @@ class Methods:
         ``handwheel``, for the role operator.
 
         Args:
-            axis: machine axis as named in the machine file.
+            axis: machine axis as named in the machine file, or path: that of a held program, back or
+                forward.
             way: way by which the wheel was turned; its sign is the direction; -1000 to 1000 mm, deg.
             channel: channel; default: the first one; 1 to 999.
             seen_cycle: cycle of the newest status that was seen; the request is refused if that is too long

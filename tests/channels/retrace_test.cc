@@ -171,6 +171,39 @@ TEST_F(RetraceTest, IsForAHeldProgramWhoseAxesAreOnItsPath) {
   EXPECT_EQ(code_of(back()), "E6096");
 }
 
+// Turned back and forwards, at any pace: the axes follow, and stand soon after the wheel.
+TEST_F(RetraceTest, FollowsAHandwheel) {
+  hold_at(35.0, "G1 X40 F1200\nM30\n");
+  const double held = x();
+  double turned = 0.0;
+  for (int n = 0; n < 40; ++n) {  // 2 mm/s
+    EXPECT_EQ(code_of(commands::Handwheel{ShortText("path"), -0.1}), "");
+    turned += 0.1;
+    cycles(50);
+  }
+  cycles(100);
+  EXPECT_FALSE(channel().moving);
+  EXPECT_NEAR(x(), held - turned, 1e-9) << "slow turns are followed to the end";
+  for (int n = 0; n < 100; ++n) {  // 200 mm/s, the feed is 20 mm/s
+    EXPECT_EQ(code_of(commands::Handwheel{ShortText("path"), -2.0}), "");
+    cycles(10);
+  }
+  EXPECT_TRUE(channel().moving);
+  const double when_it_stops = x();
+  for (int n = 0; n < 400 && channel().moving; ++n) bench.cycle();
+  EXPECT_FALSE(channel().moving);
+  EXPECT_NEAR(x(), when_it_stops, 20.0 * 0.3);
+  EXPECT_GT(x(), 0.0);
+  for (int n = 0; n < 100 && channel().aside; ++n) {
+    const std::string code = code_of(commands::Handwheel{ShortText("path"), 2.0});
+    EXPECT_TRUE(code.empty() || code == "E6102") << code;
+    cycles(60);
+  }
+  EXPECT_EQ(x(), held);
+  EXPECT_EQ(code_of(commands::ProgramResume{}), "");
+  EXPECT_EQ(code_of(commands::Handwheel{ShortText("path"), 2.0}), "E6003");
+}
+
 // At a program stop the axes stand between two pieces of the path.
 TEST_F(RetraceTest, GoesBackFromAProgramStop) {
   bench.program("p.nc", "G1 X10 F3000\nX10 Y7\nM0\nX0\nM30\n");
