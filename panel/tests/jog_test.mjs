@@ -415,7 +415,7 @@ test('in a held program the axes are moved away and come back', async () => {
   await steps.getByRole('button', { name: '1', exact: true }).click();
   const up = other.getByRole('button', { name: 'move Z +' });
   await clickUntil('it is away', up, async () => (await at('Z')) === z + 1);
-  await card.getByText('The axes have been moved away').waitFor();
+  await card.getByText('The axes are not where').waitFor();
   assert.equal(await card.getByRole('button', { name: 'Resume' }).count(), 0);
   const resume = card.getByRole('button', { name: 'Resume' });
   await clickUntil('it is back', card.getByRole('button', { name: 'Return to path' }), () =>
