@@ -73,8 +73,11 @@ export class WorkpieceFollower {
             { channel, ...(reference === '' ? {} : { reference }) },
             () => isOver,
           ).then(
-            () => (this.failed = ''),
+            () => {
+              if (!isOver) this.failed = '';
+            },
             (error: unknown) => {
+              if (isOver) return;
               this.#since = 0;
               this.failed = error instanceof Refusal ? error.message : '';
             },
@@ -91,7 +94,8 @@ export class WorkpieceFollower {
     };
   }
 
-  // All pages of what has changed; the version of the first one is known then.
+  // All pages of what has changed; the version of the first one is known then. What comes when it is over
+  // belongs to nobody: another look may have begun, which has nothing of it.
   async #look(
     asked: { channel: number; reference?: string },
     isOver: () => boolean,
@@ -101,6 +105,7 @@ export class WorkpieceFollower {
     while (from !== null && !isOver()) {
       const known = { workpiece: this.workpiece, since: this.#since };
       const answer: Surface = await store.call('workpiece.surface', { ...asked, from, ...known });
+      if (isOver()) return;
       if (answer.workpiece === null) return this.forget();
       if (answer.workpiece !== this.workpiece) {
         this.forget(answer.workpiece);
@@ -113,14 +118,15 @@ export class WorkpieceFollower {
       if (JSON.stringify(answer.base) !== JSON.stringify(this.base)) this.base = answer.base;
       version ??= answer.version;
       this.isComing = known.since === 0 && answer.next !== null;
-      await this.#show(answer.geometry as Geometry);
+      await this.#show(answer.geometry as Geometry, isOver);
       from = answer.next;
     }
-    if (version !== null) this.#since = version;
+    if (version !== null && !isOver()) this.#since = version;
   }
 
-  async #show({ page, bricks }: Geometry): Promise<void> {
+  async #show({ page, bricks }: Geometry, isOver: () => boolean): Promise<void> {
     const { points, lines } = await this.#frames.next(page);
+    if (isOver()) return;
     for (const [brick, first, behind] of bricks) {
       this.shown.set(brick, points.slice(3 * first, 3 * behind), lines.slice(first, behind));
     }

@@ -130,3 +130,35 @@ test('another blank takes the place of the first; none shows nothing', async () 
   expect(follower.workpiece).toBe(0);
   expect(bricks.size).toBe(0);
 });
+
+// The page chooses other colours while an answer is on its way: what that brings belongs to nobody, and
+// what has come by then is not taken for what the new look has.
+test('an answer that comes behind the end of its look changes nothing', async () => {
+  const waiting: (() => void)[] = [];
+  vi.spyOn(store, 'call').mockImplementation(((_: string, params: Asked) => {
+    asked.push(params);
+    const answer = answers.shift() ?? nothing;
+    return new Promise((resolve) => waiting.push(() => resolve(answer())));
+  }) as unknown as typeof store.call);
+  const come = async (): Promise<void> => {
+    waiting.shift()?.();
+    await vi.advanceTimersByTimeAsync(10);
+  };
+  answers = [page(1, 4, 0, [[0, 0, 6]], null), page(1, 5, 0, [[3, 0, 9]], null)];
+  answers.push(page(1, 5, 0, [[0, 0, 6]], null));
+  stop = follower.follow(1);
+  await vi.advanceTimersByTimeAsync(10);
+  await come();
+  expect([...bricks.keys()]).toEqual([0]);
+  await vi.advanceTimersByTimeAsync(400); // asks for what is newer than 4
+  stop();
+  follower.forget();
+  stop = follower.follow(1, 'wanted.stl');
+  await come();
+  expect([...bricks.keys()]).toEqual([]);
+  await vi.advanceTimersByTimeAsync(400);
+  await come();
+  await vi.advanceTimersByTimeAsync(400);
+  expect(asked.map(({ since }) => since)).toEqual([0, 4, 0, 5]);
+  expect([...bricks.keys()]).toEqual([0]);
+});
