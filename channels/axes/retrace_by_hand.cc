@@ -12,6 +12,7 @@ std::string_view RetraceByHand::go(const RetraceOrder& order) RT_SAFE {
   const motion::RetraceWay way = way_of(order.direction);
   const bool is_lease = order.length == 0.0;
   if (is_moving() && is_lease != is_leased()) return "E6056";
+  if (retrace_.is_stopping() && !is_lease) return "E6056";
   if (is_moving() && is_lease && way != retrace_.way()) {
     stop();
     return {};

@@ -15,6 +15,7 @@ void RunControl::end_run(RunResult result, std::uint64_t blocks) RT_SAFE {
   hold_waits_ = false;
   holds_path_ = false;
   runs_.end(result, blocks, motion_.path());
+  motion_.cut_history();
 }
 
 void RunControl::hold(HoldCause cause) RT_SAFE {

@@ -173,9 +173,12 @@ int keep_jogging(OperatorClient& client, const OperatorCall& call,
     const auto accepted = client.call(std::string(call.method->name), call.parameters,
                                       OperatorClient::Clock::now() + std::chrono::seconds(2));
     if (!accepted) {
+      if (moves && accepted.error().code == "E6102") {
+        write_message("the axes are at the end of the way\n");
+        return 0;
+      }
       show_failure(accepted.error(), call.form);
-      const bool is_at_end = moves && accepted.error().code == "E6102";
-      return is_at_end ? 0 : exit_code(accepted.error().kind);
+      return exit_code(accepted.error().kind);
     }
     client.listen(OperatorClient::Clock::now() + renewal);
   }

@@ -134,9 +134,9 @@ const Keys<MachineSection>& machine_keys() {
        "time after a stop at which power is removed from axes that still move; 0: twice the time "
        "of the slowest axis or spindle, plus one second",
        from(0.0, 3600.0)},
-      {"retrace_memory", at<&MachineSection::retrace_memory_mb>, optional, "MB",
+      {"retrace_memory", at<&MachineSection::retrace_memory_mb>, optional, "MiB",
        "memory of each channel for the path that lies behind, along which the axes of a held "
-       "program can go back: 64 MB hold 100 000 short blocks in five axes; 0: within the block "
+       "program can go back: 64 MiB hold 100,000 short blocks in five axes; 0: within the block "
        "only",
        from(0, 4096)},
       {"request_age_max", at<&MachineSection::request_age_max_s>, optional, "s",

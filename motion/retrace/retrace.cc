@@ -93,7 +93,8 @@ void Retrace::advance(const FeedControl& control, RetraceOutput& out) RT_SAFE {
     if (!finish_chunk()) break;
   }
   find_piece();
-  if (left_ <= as_good_as_there && motion::is_at_rest(motion_)) stops_ = true;
+  const double part = piece_.segment().rapid ? control.rapid_override : control.feed_override;
+  if ((left_ <= as_good_as_there || part == 0.0) && motion::is_at_rest(motion_)) stops_ = true;
   if (is_at_end(way_) && !cursor_.has_chunk()) stops_ = true;
   report(out);
 }

@@ -43,7 +43,8 @@ class Retrace {
   void end() RT_SAFE;
 
   // Goes that way by `length`, or until it is stopped, as far as there is a way. While it moves by
-  // a length, it goes so much farther, or less far; else only at rest.
+  // a length, it goes so much farther, or less far; else only at rest. An override of 0 stops it:
+  // it does not go on by itself when that is raised.
   void go(RetraceWay way, double length = unlimited) RT_SAFE;
   void stop() RT_SAFE { stops_ = true; }
   // Of what it was to go, so much is left at most; not less than it needs to come to rest.
@@ -51,6 +52,8 @@ class Retrace {
 
   [[nodiscard]] bool is_on() const RT_SAFE { return is_on_; }
   [[nodiscard]] bool is_at_rest() const RT_SAFE { return stops_ && motion::is_at_rest(motion_); }
+  // It comes to rest, whatever is left.
+  [[nodiscard]] bool is_stopping() const RT_SAFE { return stops_ && !motion::is_at_rest(motion_); }
   [[nodiscard]] double speed() const RT_SAFE { return motion_.v; }  // > 0 whichever way
   [[nodiscard]] RetraceWay way() const RT_SAFE { return way_; }
   // Nothing is left that way; forwards: the axes are where the path is held.

@@ -146,8 +146,8 @@ constexpr auto program_rows = std::to_array<Method>({
      .course = Course::moves_axes,
      .action = "program_return",
      .parameters = of_return,
-     .help = "move axes that were jogged away from a held program back to its path, the way that "
-             "they came; first spindles and coolant are as the program left them"},
+     .help = "move the axes of a held program back to where it was held, the way that they came, "
+             "jogged or along the path; first spindles and coolant are as the program left them"},
     {.name = "program.retrace",
      .role = machine_operator,
      .effect = Effect::begins_motion,

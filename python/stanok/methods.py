@@ -357,8 +357,8 @@ class ProgramMethods:
         channel: int | None = None,
         seen_cycle: int | None = None,
     ) -> dict[str, Any]:
-        """Move axes that were jogged away from a held program back to its path, the way that they came; first
-        spindles and coolant are as the program left them.
+        """Move the axes of a held program back to where it was held, the way that they came, jogged or along the
+        path; first spindles and coolant are as the program left them.
 
         ``program.return``, for the role operator.
 

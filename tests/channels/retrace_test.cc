@@ -204,6 +204,44 @@ TEST_F(RetraceTest, FollowsAHandwheel) {
   EXPECT_EQ(code_of(commands::Handwheel{ShortText("path"), 2.0}), "E6003");
 }
 
+// What was asked for at an override of 0 is over, and does not begin when that is raised.
+TEST_F(RetraceTest, DoesNotWaitForAnOverride) {
+  hold_at(25.0, "G1 X40 F3000\nM30\n");
+  const double held = x();
+  EXPECT_EQ(code_of(commands::OverrideFeed{0.0}), "");
+  EXPECT_EQ(code_of(back(10.0)), "");
+  cycles(50);
+  EXPECT_FALSE(channel().moving);
+  EXPECT_EQ(code_of(commands::OverrideFeed{1.0}), "");
+  cycles(500);
+  EXPECT_EQ(x(), held);
+  EXPECT_EQ(code_of(back(10.0)), "");
+  cycles(100);
+  EXPECT_EQ(code_of(commands::OverrideFeed{0.0}), "");
+  rest();
+  const double stands = x();
+  EXPECT_LT(stands, held);
+  EXPECT_EQ(code_of(commands::OverrideFeed{1.0}), "");
+  cycles(500);
+  EXPECT_EQ(x(), stands);
+}
+
+// While it comes to rest no way is taken that would be dropped.
+TEST_F(RetraceTest, RefusesAWayWhileItStops) {
+  hold_at(25.0, "G1 X40 F3000\nM30\n");
+  EXPECT_EQ(code_of(back(20.0)), "");
+  cycles(200);
+  bench.ask(OperatorAction::program_hold, 1);
+  bench.cycle();
+  ASSERT_TRUE(channel().moving);
+  EXPECT_EQ(code_of(back(1.0)), "E6056");
+  rest();
+  const double stands = x();
+  EXPECT_EQ(code_of(back(1.0)), "");
+  rest();
+  EXPECT_NEAR(x(), stands - 1.0, 1e-9);
+}
+
 // At a program stop the axes stand between two pieces of the path.
 TEST_F(RetraceTest, GoesBackFromAProgramStop) {
   bench.program("p.nc", "G1 X10 F3000\nX10 Y7\nM0\nX0\nM30\n");
@@ -224,6 +262,8 @@ TEST_F(RetraceTest, EndsWhereTheRunBegan) {
   bench.program("before.nc", "G1 X3 F3000\nM30\n");
   bench.run(1, "before.nc");
   bench.run_to_end();
+  EXPECT_EQ(channel().retrace.blocks_back, 0U);
+  EXPECT_EQ(channel().retrace.oldest_line, 0U);
   hold_at(10.0, "G1 X40 F3000\nM30\n");
   EXPECT_EQ(code_of(back(1000.0)), "");
   rest();

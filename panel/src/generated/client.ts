@@ -527,7 +527,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** move axes that were jogged away from a held program back to its path, the way that they came; first spindles and coolant are as the program left them */
+  /** move the axes of a held program back to where it was held, the way that they came, jogged or along the path; first spindles and coolant are as the program left them */
   "program.return": {
     params: {
       velocity?: number;
