@@ -148,8 +148,15 @@ void inverse(const Transform& transform, const AxisVector<double>& point_W,
 bool operator==(const Transform& a, const Transform& b) RT_SAFE {
   const Vector3<double>& nose_a = a.tool.nose_to_tip_mm;
   const Vector3<double>& nose_b = b.tool.nose_to_tip_mm;
-  return a.scheme == b.scheme && a.mode == b.mode && nose_a.x() == nose_b.x() &&
-         nose_a.y() == nose_b.y() && nose_a.z() == nose_b.z() && a.frame == b.frame;
+  return a.scheme == b.scheme && a.mode == b.mode && a.row.is_same(b.row) &&
+         nose_a.x() == nose_b.x() && nose_a.y() == nose_b.y() && nose_a.z() == nose_b.z() &&
+         a.frame == b.frame;
+}
+
+Transform with_changes(const Transform& transform, const LengthChanges& changes) RT_SAFE {
+  Transform changed = transform;
+  changed.tool.nose_to_tip_mm -= changes.since(transform.row);
+  return changed;
 }
 
 void forward(const Transform& transform, const AxisVector<double>& axes_M,

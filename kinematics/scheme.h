@@ -17,6 +17,7 @@
 #include "base/rotation.h"
 #include "base/rt_safe.h"
 #include "kinematics/jet.h"
+#include "kinematics/length_changes.h"
 #include "kinematics/scheme_interface.h"
 #include "kinematics/scheme_types.h"
 
@@ -95,9 +96,15 @@ struct Transform {
   Frame frame;
   PointMode mode = PointMode::axes;
   ToolVector tool;
+  ToolRow row{};  // from which `tool` was read
 };
 
+// Whether they map every point alike, whatever lengths of tools change: the version of the row does
+// not count.
 [[nodiscard]] bool operator==(const Transform& a, const Transform& b) RT_SAFE;
+// With the lengths that count now.
+[[nodiscard]] Transform with_changes(const Transform& transform, const LengthChanges& changes)
+    RT_SAFE;
 
 void inverse(const Transform& transform, const AxisVector<Jet>& point_W, AxisVector<Jet>& axes_M)
     RT_SAFE;

@@ -11,21 +11,27 @@ void derivatives_to_zero(JetPoint& point, const Point& values) RT_SAFE {
   for (std::size_t k = 0; k < values.size(); ++k) point[k] = kinematics::Jet(values[k]);
 }
 
-void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetPoint& axes)
-    RT_SAFE {
+}  // namespace
+
+void AxesPlace::to_axes(const kinematics::Transform* transform, const JetPoint& point,
+                        JetPoint& axes) const RT_SAFE {
   if (transform == nullptr) {
     axes = point;
+  } else if (is_changed(*transform)) {
+    kinematics::inverse(kinematics::with_changes(*transform, *lengths_), point, axes);
   } else {
     kinematics::inverse(*transform, point, axes);
   }
 }
 
-}  // namespace
-
 void AxesPlace::stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE {
   standing_axes_ = axes_M;
   last_axes_ = axes_M;
-  kinematics::forward(transform, axes_M, standing_point_);
+  if (is_changed(transform)) {
+    kinematics::forward(kinematics::with_changes(transform, *lengths_), axes_M, standing_point_);
+  } else {
+    kinematics::forward(transform, axes_M, standing_point_);
+  }
 }
 
 void AxesPlace::stand_on(const Segment& segment, double s) RT_SAFE {

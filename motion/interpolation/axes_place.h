@@ -13,6 +13,9 @@ namespace stanok::motion {
 
 class AxesPlace {
  public:
+  // `lengths`, which outlive it, count for transforms that were made before them; nullptr: none do.
+  explicit AxesPlace(const kinematics::LengthChanges* lengths = nullptr) : lengths_(lengths) {}
+
   // They stand there; `transform` gives the programmed point that belongs to `axes_M`.
   void stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE;
   // They stand so far along a segment.
@@ -28,8 +31,14 @@ class AxesPlace {
   [[nodiscard]] const SegmentProcess& process() const RT_SAFE { return process_; }
 
  private:
+  [[nodiscard]] bool is_changed(const kinematics::Transform& transform) const RT_SAFE {
+    return lengths_ != nullptr && lengths_->concern(transform.row);
+  }
+  void to_axes(const kinematics::Transform* transform, const JetPoint& point, JetPoint& axes) const
+      RT_SAFE;
   void unwind(const kinematics::Transform* transform, JetPoint& axes) const RT_SAFE;
 
+  const kinematics::LengthChanges* lengths_;
   Point last_axes_{};  // of the cycle before
   Point standing_point_{};
   Point standing_axes_{};

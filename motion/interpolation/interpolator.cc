@@ -28,14 +28,16 @@ bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE
 
 }  // namespace
 
-Interpolator::Interpolator(const MotionConfig& config, PathHistory* history)
+Interpolator::Interpolator(const MotionConfig& config, PathHistory* history,
+                           const kinematics::LengthChanges* lengths)
     : cycle_s_(config.cycle_s),
       axis_count_(config.axis_count),
       cursor_(history),
       plan_(config),
       planner_(config),
       interruption_(config),
-      synchronous_(config.cycle_s) {}
+      synchronous_(config.cycle_s),
+      place_(lengths) {}
 
 void Interpolator::stand_at(const Point& axes_M, const kinematics::Transform& transform) RT_SAFE {
   place_.stand_at(axes_M, transform);

@@ -69,8 +69,10 @@ class Interpolator {
  public:
   static constexpr std::uint64_t no_chunk_limit = ~std::uint64_t{0};
 
-  // `history`, which outlives the interpolator, is told of the path that lies behind.
-  explicit Interpolator(const MotionConfig& config, PathHistory* history = nullptr);
+  // Both outlive the interpolator: `history` is told of the path that lies behind, and `lengths`
+  // count for transforms that were made before them.
+  explicit Interpolator(const MotionConfig& config, PathHistory* history = nullptr,
+                        const kinematics::LengthChanges* lengths = nullptr);
 
   // Sets where the axes stand; only at rest. `transform` gives the programmed point that belongs to
   // `axes_M`.
