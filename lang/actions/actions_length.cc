@@ -20,9 +20,10 @@
 namespace stanok::lang {
 namespace {
 
-void change_length(ActiveBlock& block, ToolLength after) {
+void change_length(ActiveBlock& block, const ToolLength& wanted) {
+  ToolLength after = block.tables.in_force(wanted);
   if (block.modal.frames.plane.is_aligned) after.mode = LengthMode::tip;
-  const ToolLength before = block.modal.tool.length;
+  const ToolLength before = block.tables.in_force(block.modal.tool.length);
   if (before == after) return;
   block.modal.tool.length = after;
   block.queue.emit(after);
@@ -170,6 +171,7 @@ std::optional<Move> turn_to_plane(ActiveBlock& block, CodeNumber code, FirstRota
 // The base stays, and the row is added.
 void take_row(ToolLength& length, const Tables& tables) {
   length.offset_mm = length.base_mm;
+  length.version = tables.version();
   const auto tool = tables.tool_edge(length.tool, length.edge);
   if (length.row == ToolLength::Row::none || !tool) return;
   const double sign = length.row == ToolLength::Row::subtracted ? -1.0 : 1.0;

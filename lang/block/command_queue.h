@@ -21,6 +21,8 @@ class CommandQueue {
 
   void emit(Payload payload) {
     terms_changed_ = terms_changed_ || changes_terms(payload);
+    if (const auto* const move = std::get_if<Move>(&payload))
+      ends_in_machine_ = move->machine_coordinates;
     if (last_ == commands_.size()) commands_.emplace_back();
     Command& command = commands_[last_++];
     command.origin = origin_;
@@ -32,6 +34,9 @@ class CommandQueue {
 
   // A command since the last call changes the frame, the tool or its length.
   [[nodiscard]] bool takes_changed_terms() { return std::exchange(terms_changed_, false); }
+
+  // The newest move went to machine coordinates (G53, G28).
+  [[nodiscard]] bool ends_in_machine() const { return ends_in_machine_; }
 
   // The oldest command; the queue must not be empty.
   void take(Command& command) {
@@ -58,6 +63,7 @@ class CommandQueue {
   Origin origin_;
   std::uint64_t block_ = 0;
   bool terms_changed_ = false;
+  bool ends_in_machine_ = false;
 };
 
 }  // namespace stanok::lang

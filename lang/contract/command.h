@@ -222,8 +222,14 @@ struct ToolLength {
   Row row = Row::none;                // how the row of `tool` and `edge` is in `offset_mm`
   std::array<double, 3> base_mm{};    // to which it was added (G43.2)
   std::array<double, 3> offset_mm{};  // along X, Y, Z of the machine when not tilted
+  // Number of the newest write of the tables behind which the row was read (Tables::in_force).
+  std::uint64_t version = std::numeric_limits<std::uint64_t>::max();
 
-  friend bool operator==(const ToolLength&, const ToolLength&) = default;
+  // Whether both say the same, whenever they were read.
+  friend bool operator==(const ToolLength& a, const ToolLength& b) {
+    return a.mode == b.mode && a.tool == b.tool && a.edge == b.edge && a.row == b.row &&
+           a.base_mm == b.base_mm && a.offset_mm == b.offset_mm;
+  }
 };
 
 // The complete frame W -> base of the scheme: p_B = rotation * p_W + offset. Sent whenever it

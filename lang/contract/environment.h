@@ -177,6 +177,10 @@ class Tables {
   [[nodiscard]] virtual std::optional<Tool> tool_edge(int number, int edge) const {
     return edge == 1 ? tool(number) : std::nullopt;
   }
+  // The number of the newest write of tools and offsets that is read here.
+  [[nodiscard]] virtual std::uint64_t version() const { return 0; }
+  // A length with what has changed of its row since it was read, as far as that counts at once.
+  [[nodiscard]] virtual ToolLength in_force(const ToolLength& length) const { return length; }
   // How the axes of the channel count in its active scheme, without tip transformation.
   [[nodiscard]] virtual MachineReading machine_reading() const = 0;
   // Axes of the channel that take part in its active scheme.

@@ -117,6 +117,23 @@ void BlockRunner::take_changed_rows(const ChangedRows& rows) {
     take_work_offset(standing_, state_.tables, frames.work_offset_number);
 }
 
+// The programmed point stays, but for one that machine coordinates gave: there the axes do.
+void BlockRunner::follow_lengths() {
+  delivered_ = state_.tables.in_force(delivered_);
+  ModalState& modal = state_.modal;
+  const ToolLength now = state_.tables.in_force(modal.tool.length);
+  if (now == modal.tool.length) return;
+  if (state_.queue.ends_in_machine()) {
+    AxisValues distance_B{};
+    for (std::size_t k = 0; k < state_.channel.axes.size(); ++k)
+      distance_B[k] = length_along(state_.around, k, modal.tool.length.offset_mm) -
+                      length_along(state_.around, k, now.offset_mm);
+    modal.shift_position(distance_B);
+  }
+  modal.tool.length = now;
+  meanings_.note(state_.blocks, modal.codes, terms_of(modal));
+}
+
 Meaning BlockRunner::standing() const {
   return {standing_.codes, std::make_shared<const MeaningTerms>(terms_of(standing_))};
 }

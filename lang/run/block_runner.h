@@ -54,6 +54,7 @@ class BlockRunner {
   void take_tool(const ToolInPlace& tool);
   // An operator has changed these rows: what stands of them is as they are now.
   void take_changed_rows(const ChangedRows& rows);
+  void follow_lengths();
   [[nodiscard]] Meaning standing() const;
 
   // Reads the next plain line.

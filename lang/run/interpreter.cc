@@ -40,8 +40,8 @@ std::optional<Diagnostic> Interpreter::start_at(std::shared_ptr<const Program> p
 }
 
 void Interpreter::reset(const ToolInPlace& tool) {
-  state_->run.stand_in_default();
-  state_->run.take_tool(tool);
+  state_->run.block_runner().stand_in_default();
+  state_->run.block_runner().take_tool(tool);
 }
 
 void Interpreter::break_off() {
@@ -49,15 +49,19 @@ void Interpreter::break_off() {
 }
 
 Meaning Interpreter::standing() const {
-  return state_->run.standing();
+  return state_->run.block_runner().standing();
 }
 
 void Interpreter::take_tool(const ToolInPlace& tool) {
-  state_->run.take_tool(tool);
+  state_->run.block_runner().take_tool(tool);
 }
 
 void Interpreter::take_changed_rows(const ChangedRows& rows) {
-  state_->run.take_changed_rows(rows);
+  state_->run.block_runner().take_changed_rows(rows);
+}
+
+void Interpreter::follow_lengths() {
+  state_->run.block_runner().follow_lengths();
 }
 
 Step Interpreter::next(Command& command) {

@@ -72,6 +72,9 @@ class Interpreter {
   void take_tool(const ToolInPlace& tool);
   // An operator has changed rows of the tables while the channel stands.
   void take_changed_rows(const ChangedRows& rows);
+  // Lengths that count at once have changed in a hold (Tables::in_force): the programmed point
+  // stays.
+  void follow_lengths();
 
   // Does a bounded amount of work. `command` is valid only when Step::command is returned.
   [[nodiscard]] Step next(Command& command);

@@ -49,11 +49,9 @@ class ProgramRun {
   [[nodiscard]] std::optional<Diagnostic> start_at(std::shared_ptr<const Program> program,
                                                    const AxisValues& position_B,
                                                    const StopPlace& place);
-  [[nodiscard]] Meaning standing() const { return blocks_.standing(); }
   void break_off();
-  void stand_in_default() { blocks_.stand_in_default(); }
-  void take_tool(const ToolInPlace& tool) { blocks_.take_tool(tool); }
-  void take_changed_rows(const ChangedRows& rows) { blocks_.take_changed_rows(rows); }
+  // What holds while nothing runs, and what changes around it.
+  [[nodiscard]] BlockRunner& block_runner() { return blocks_; }
   [[nodiscard]] Passed pass_fault() { return blocks_.pass_fault(); }
   [[nodiscard]] Step next(Command& command);
   void answer(const Answer& answer);
