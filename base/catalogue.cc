@@ -304,7 +304,7 @@ constexpr auto further_rows = std::to_array<CatalogueRow>({
     {"E6100", "the way back to the path has too many parts", end,
      "return to the path (program return), then move away again", "give the command again"},
     {"E6101", "a value of the tables cannot be changed so while a program runs", end,
-     "change the wear or a work offset by a little (change_in_run_max), or end the program first",
+     "change the wear or an offset by a little (change_in_run_max), or a length in a hold",
      "give the command again"},
     {"E6102", "nothing of the path is left to go along in this direction", end,
      "go the other way, or continue the program", "give the command again"},

@@ -142,4 +142,13 @@ void AxisGroup::show(ChannelOutput& output) const RT_SAFE {
     output.drives[axis].follows_velocity = is_spindle(axis);
 }
 
+lang::AxisSet axes_to_home(const AxisGroup& group) RT_SAFE {
+  unsigned axes = 0;
+  for (int axis = 0; axis < group.count(); ++axis) {
+    const bool is_homed_by_search = group.constants(axis).manual.homing.order > 0;
+    if (is_homed_by_search && group.owns(axis) && !group.is_spindle(axis)) axes |= 1U << axis;
+  }
+  return static_cast<lang::AxisSet>(axes);
+}
+
 }  // namespace stanok::channels

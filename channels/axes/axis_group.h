@@ -87,4 +87,7 @@ class AxisGroup {
   lang::AxisSet spindles_ = 0;
 };
 
+// Those that look for a home switch, and that this channel moves now.
+[[nodiscard]] lang::AxisSet axes_to_home(const AxisGroup& axes) RT_SAFE;
+
 }  // namespace stanok::channels

@@ -8,6 +8,20 @@
 #include "channels/axes/setpoint_guard.h"
 
 namespace stanok::channels {
+namespace {
+
+// Axes that a scheme gives up to whole turns only are where they are.
+bool are_apart(const motion::Point& a, const motion::Point& b, const kinematics::Transform& frame)
+    RT_SAFE {
+  constexpr double same_place = 1e-6;  // mm, deg
+  const unsigned winding = frame.scheme == nullptr ? 0U : frame.scheme->winding_axes();
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if ((winding >> k & 1U) == 0 && std::abs(a[k] - b[k]) > same_place) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 AxisMotion::AxisMotion(const motion::MotionConfig& config, const ChannelConstants& constants,
                        SchemeTable& schemes, AxisGroup& axes, const DriveGuard& drives)
@@ -17,7 +31,7 @@ AxisMotion::AxisMotion(const motion::MotionConfig& config, const ChannelConstant
       axes_(axes),
       drives_(drives),
       retrace_(config, constants.retrace_bytes),
-      interpolator_(config, &retrace_.history()),
+      interpolator_(config, &retrace_.history(), &lengths_),
       loops_(constants) {
   AxisArray<ManualAxis> manual_axes{};
   for (std::size_t k = 0; k < motion::axes_max; ++k) {
@@ -47,7 +61,10 @@ std::optional<Fault> AxisMotion::advance(motion::PathQueue& queue,
 void AxisMotion::move_by_hand(const motion::FeedControl& control) RT_SAFE {
   if (retrace_.is_on()) retrace_.lead(control, path_);
   if (retrace_.is_back() && !aside_.is_on()) retrace_.end();
-  if (aside_.is_on()) aside_.place(path_.axes);
+  if (aside_.is_on()) {
+    aside_.note_path(path_.axes);
+    aside_.place(path_.axes);
+  }
   if (manual_.is_active()) {
     manual_.advance(drives_.feedback(), path_.axes);
     if (!aside_.is_on()) return stand();
@@ -56,12 +73,40 @@ void AxisMotion::move_by_hand(const motion::FeedControl& control) RT_SAFE {
   }
   if (!aside_.is_on()) return;
   motion::Point point{};
-  kinematics::forward(frame_, axes_M(), point);
+  kinematics::forward(kinematics::with_changes(frame_, lengths_), axes_M(), point);
   for (std::size_t k = 0; k < point.size(); ++k) path_.point[k] = kinematics::Jet(point[k]);
 }
 
 void AxisMotion::leave_path() RT_SAFE {
   if (!aside_.is_on()) aside_.begin(axes_M());
+}
+
+void AxisMotion::change_length(const kinematics::LengthChange& change) RT_SAFE {
+  const motion::Point held = aside_.is_on() ? aside_.path() : axes_M();
+  motion::Point point_W{};
+  kinematics::forward(kinematics::with_changes(frame_, lengths_), held, point_W);
+  lengths_.note(change);
+  motion::Point now{};
+  kinematics::inverse(kinematics::with_changes(frame_, lengths_), point_W, now);
+  retrace_.history().cut();
+  if (!are_apart(held, now, frame_)) return;
+  interpolator_.stand_at(now, frame_);
+  leave_path();
+  aside_.shift(now, config_);
+}
+
+PathStart AxisMotion::go_on_in(const kinematics::Transform& frame, const motion::Point& start_W)
+    RT_SAFE {
+  frame_ = frame;
+  stand();
+  if (lengths_.is_empty()) return PathStart::at_axes;
+  motion::Point start{};
+  kinematics::inverse(kinematics::with_changes(frame_, lengths_), start_W, start);
+  if (!are_apart(axes_M(), start, frame_)) return PathStart::at_axes;
+  interpolator_.stand_at(start, frame_);
+  leave_path();
+  aside_.shift(start, config_);
+  return PathStart::elsewhere;
 }
 
 void AxisMotion::stop_by_hand() RT_SAFE {
@@ -111,9 +156,9 @@ motion::Point AxisMotion::axes_M() const RT_SAFE {
   return point;
 }
 
-double AxisMotion::diameter() const RT_SAFE {
-  const int x = config_.geometry[0];
-  return x < 0 ? 0.0 : 2.0 * std::abs(path_.point[x].value);
+double diameter_at_tool(const AxisMotion& motion) RT_SAFE {
+  const int x = motion.config().geometry[0];
+  return x < 0 ? 0.0 : 2.0 * std::abs(motion.path().point[x].value);
 }
 
 void AxisMotion::select_scheme(int scheme) RT_SAFE {
@@ -121,13 +166,10 @@ void AxisMotion::select_scheme(int scheme) RT_SAFE {
   stand_in_scheme();
 }
 
-void AxisMotion::stand_in(const kinematics::Transform& frame) RT_SAFE {
-  frame_ = frame;
-  stand();
-}
-
 void AxisMotion::rest_in(const kinematics::Transform* frame) RT_SAFE {
-  if (frame != nullptr && *frame != frame_) stand_in(*frame);
+  if (frame == nullptr || *frame == frame_) return;
+  frame_ = *frame;
+  stand();
 }
 
 void AxisMotion::stand_in_scheme() RT_SAFE {
@@ -192,15 +234,6 @@ void AxisMotion::return_to_parking() RT_SAFE {
     if (!axes_.drive(axis).enabled || !axes_.owns(axis) || axes_.is_spindle(axis)) continue;
     manual_.go(axis, path_.axes[axis].value, parking.position);
   }
-}
-
-lang::AxisSet AxisMotion::axes_to_home() const RT_SAFE {
-  unsigned axes = 0;
-  for (int axis = 0; axis < axes_.count(); ++axis) {
-    const bool is_homed_by_search = axes_.constants(axis).manual.homing.order > 0;
-    if (is_homed_by_search && axes_.owns(axis) && !axes_.is_spindle(axis)) axes |= 1U << axis;
-  }
-  return static_cast<lang::AxisSet>(axes);
 }
 
 void AxisMotion::show(ChannelOutput& output) const RT_SAFE {

@@ -24,6 +24,8 @@ namespace stanok::channels {
 // Soft limits are guarded while a program moves the axes; moves by hand keep their own.
 enum class SoftLimits : std::uint8_t { guarded, not_guarded };
 
+enum class PathStart : std::uint8_t { at_axes, elsewhere };
+
 class AxisMotion {
  public:
   // All outlive the motion. The axes stand at their start in the frame of the active scheme.
@@ -49,15 +51,17 @@ class AxisMotion {
   }
   [[nodiscard]] motion::Point axes_M() const RT_SAFE;
   [[nodiscard]] const motion::MotionConfig& config() const RT_SAFE { return config_; }
-  // Of a part turned around Z, at the tool; mm. 0: the scheme has no transverse axis.
-  [[nodiscard]] double diameter() const RT_SAFE;
 
   // In which the axes stand.
   [[nodiscard]] const kinematics::Transform& frame() const RT_SAFE { return frame_; }
   // The frame in which the axes stand; only at rest.
   void select_scheme(int scheme) RT_SAFE;
-  void stand_in(const kinematics::Transform& frame) RT_SAFE;
-  // The same while nothing runs. Nothing is done where it is the frame already; nullptr: it is.
+  // In the frame in which the path goes on from `start_W`. It may begin elsewhere than the axes are
+  // where a length has changed behind it: they stay, away from the path.
+  [[nodiscard]] PathStart go_on_in(const kinematics::Transform& frame, const motion::Point& start_W)
+      RT_SAFE;
+  // Another frame while nothing runs. Nothing is done where it is the frame already; nullptr: it
+  // is.
   void rest_in(const kinematics::Transform* frame) RT_SAFE;
   void stand_in_scheme() RT_SAFE;  // the active one, without offsets
   // An axis is elsewhere than the path believed.
@@ -84,6 +88,10 @@ class AxisMotion {
   [[nodiscard]] const RetraceByHand& retracing() const RT_SAFE { return retrace_; }
   // What was passed cannot be undone.
   void cut_history() RT_SAFE { retrace_.history().cut(); }
+  // While the path is held, and the axes are where it is or aside: a length counts at once, so that
+  // the path is elsewhere. The axes stay.
+  void change_length(const kinematics::LengthChange& change) RT_SAFE;
+  [[nodiscard]] kinematics::LengthChanges& lengths() RT_SAFE { return lengths_; }
   // The axes are not where the path is held.
   [[nodiscard]] bool is_off_path() const RT_SAFE { return aside_.is_on() || retrace_.is_on(); }
   // The next part of the way back begins; false: the axes are on the path again.
@@ -91,8 +99,6 @@ class AxisMotion {
   [[nodiscard]] const WayAside& aside() const RT_SAFE { return aside_; }
   // To where the active scheme parks its axes.
   void return_to_parking() RT_SAFE;
-  // Those that look for a home switch, and that this channel moves now.
-  [[nodiscard]] lang::AxisSet axes_to_home() const RT_SAFE;
 
   void interrupt_feed(const motion::InterruptionLengths& lengths) RT_SAFE {
     interpolator_.interrupt(lengths);
@@ -114,6 +120,7 @@ class AxisMotion {
   AxisGroup& axes_;
   const DriveGuard& drives_;
   RetraceByHand retrace_;
+  kinematics::LengthChanges lengths_;
   motion::Interpolator interpolator_;
   motion::InterpolatorOutput path_;
   kinematics::Transform frame_;
@@ -122,5 +129,8 @@ class AxisMotion {
   WayAside aside_;
   PositionLoops loops_;
 };
+
+// Of a part turned around Z, at the tool; mm. 0: the channel has no X.
+[[nodiscard]] double diameter_at_tool(const AxisMotion& motion) RT_SAFE;
 
 }  // namespace stanok::channels

@@ -99,7 +99,7 @@ void SpindleGroup::follow_process() RT_SAFE {
     ask_speed(behind);
     speed_behind_law_ = {};
   }
-  const double diameter = motion_.diameter();
+  const double diameter = diameter_at_tool(motion_);
   for (Spindle& spindle : spindles_) spindle.follow_diameter(diameter);
 }
 
@@ -209,7 +209,7 @@ void SpindleGroup::show(ProcessOutput& output) const RT_SAFE {
   output.spindle_rev_per_min = master().speed();
   const double speed = std::abs(output.spindle_rev_per_min);
   output.feed_mm_per_rev = speed > 0.0 ? output.feed_mm_per_min / speed : 0.0;
-  output.cutting_speed_m_per_min = std::numbers::pi * motion_.diameter() * speed / mm_per_m;
+  output.cutting_speed_m_per_min = std::numbers::pi * diameter_at_tool(motion_) * speed / mm_per_m;
   for (int s = 0; s < constants_.spindle_count; ++s)
     output.spindles[s] = {.id = spindles_[s].id(),
                           .rev_per_min = spindles_[s].speed(),

@@ -1,5 +1,7 @@
 #include "channels/axes/way_aside.h"
 
+#include <algorithm>
+
 namespace stanok::channels {
 namespace {
 
@@ -20,6 +22,24 @@ void WayAside::begin(const motion::Point& axes_M) RT_SAFE {
   places_[0] = now_ = axes_M;
   count_ = 1;
   goes_back_ = false;
+}
+
+void WayAside::shift(const motion::Point& path_M, const motion::MotionConfig& config) RT_SAFE {
+  motion::Point by{};
+  for (std::size_t k = 0; k < by.size(); ++k) by[k] = path_M[k] - places_[0][k];
+  for (std::size_t n = 1; n < count_; ++n) {
+    for (std::size_t k = 0; k < by.size(); ++k) {
+      const motion::AxisLimits& limits = config.axes[k];
+      if (by[k] == 0.0) continue;
+      places_[n][k] = std::clamp(places_[n][k] + by[k], limits.position_min, limits.position_max);
+    }
+  }
+  places_[0] = path_M;
+  if (now_ != last()) places_[count_++] = now_;
+}
+
+void WayAside::note_path(const motion::JetPoint& axes_M) RT_SAFE {
+  for (std::size_t k = 0; k < now_.size(); ++k) places_[0][k] = axes_M[k].value;
 }
 
 void WayAside::follow(const motion::JetPoint& axes_M) RT_SAFE {

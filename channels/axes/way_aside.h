@@ -19,6 +19,13 @@ namespace stanok::channels {
 class WayAside {
  public:
   void begin(const motion::Point& axes_M) RT_SAFE;
+  // The path is held there from now on, and the axes stay: the tool has another length. The way of
+  // its point stays the same, so that each part moves along, as far as axes travel. Not when it is
+  // full.
+  void shift(const motion::Point& path_M, const motion::MotionConfig& config) RT_SAFE;
+  // Where the path is held, to the bit.
+  void note_path(const motion::JetPoint& axes_M) RT_SAFE;
+  [[nodiscard]] const motion::Point& path() const RT_SAFE { return places_[0]; }
   void end() RT_SAFE { count_ = 0; }
 
   [[nodiscard]] bool is_on() const RT_SAFE { return count_ > 0; }

@@ -18,6 +18,8 @@ std::string_view text_of(HoldCause cause) {
       return "a fault of the power sensor of force control";
     case HoldCause::clock_gap:
       return "an interruption of the control";
+    case HoldCause::changed_length:
+      return "a length of the tool that was changed in a hold: return to the path";
     case HoldCause::none:
       break;
   }

@@ -41,8 +41,9 @@ enum class HoldCause : std::uint8_t {
   channel_stop,  // of another channel
   owner_failed,  // on_owner_failure
   single_block,
-  sensor_fault,  // of force control
-  clock_gap,     // for longer than drives go on by themselves there was no cycle
+  sensor_fault,    // of force control
+  clock_gap,       // for longer than drives go on by themselves there was no cycle
+  changed_length,  // in a hold, behind which the path was prepared
 };
 // For people: "feed hold by an operator"; empty for none.
 [[nodiscard]] std::string_view text_of(HoldCause cause);

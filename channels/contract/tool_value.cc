@@ -22,4 +22,20 @@ std::string_view name_of(ToolValue value) RT_SAFE {
   return names[static_cast<std::size_t>(value) - 1];
 }
 
+bool can_be(ToolValue value, double to) RT_SAFE {
+  constexpr double length_max = 1e5;  // mm
+  constexpr double angle_max = 360.0;
+  switch (value) {
+    case ToolValue::orientation:
+      return to >= 0.0 && to <= 9.0 && to == static_cast<double>(static_cast<int>(to));
+    case ToolValue::angle_front:
+    case ToolValue::angle_back:
+      return to >= -angle_max && to <= angle_max;
+    case ToolValue::radius:
+      return to >= 0.0 && to <= length_max;
+    default:
+      return to >= -length_max && to <= length_max;
+  }
+}
+
 }  // namespace stanok::channels

@@ -28,4 +28,7 @@ inline constexpr int tool_values = 11;
 // The name of one of them.
 [[nodiscard]] std::string_view name_of(ToolValue value) RT_SAFE;
 
+// Whether a tool can have it at all; what is plausible is another question (entry_bounds.h).
+[[nodiscard]] bool can_be(ToolValue value, double to) RT_SAFE;
+
 }  // namespace stanok::channels

@@ -174,7 +174,7 @@ Verdict ChannelErrands::step(Errand& errand, const requests::Home& request) RT_S
 Verdict ChannelErrands::begin_homing(Errand& errand, std::string_view name) RT_SAFE {
   Channel& target = target_of(errand);
   if (const auto refused = obstacle(errand, OperatorAction::home)) return *refused;
-  lang::AxisSet axes = target.motion.axes_to_home();
+  lang::AxisSet axes = axes_to_home(target.axes);
   if (!name.empty()) {
     const int axis = target.axes.named(name);
     if (axis < 0) return refusal("E6052", "the channel has no axis of that name");

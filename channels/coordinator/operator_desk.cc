@@ -285,10 +285,9 @@ Verdict OperatorDesk::switch_on(const Channel* named) RT_SAFE {
 
 namespace {
 
-bool is_wear(int value) RT_SAFE {
-  const auto named = static_cast<ToolValue>(value);
-  return named == ToolValue::wear_length || named == ToolValue::wear_length_x ||
-         named == ToolValue::wear_radius;
+bool is_wear(ToolValue value) RT_SAFE {
+  return value == ToolValue::wear_length || value == ToolValue::wear_length_x ||
+         value == ToolValue::wear_radius;
 }
 
 }  // namespace
@@ -301,7 +300,9 @@ std::optional<Verdict> OperatorDesk::refusal_in_run(std::optional<double> now, d
   for (int k = 0; k < channels_.count(); ++k) runs = runs || channels_[k].state().is_running();
   if (!runs) return std::nullopt;
   if (!now)
-    return refusal("E6101", "while a program runs, only wear and work offsets can be changed");
+    return refusal("E6101",
+                   "while a program runs, only wear and work offsets can be changed, and in a hold "
+                   "lengths");
   const EntryBound bound = stores_.tables->bounds().of_change_in_run(unit);
   if (bound.holds(to - *now)) return std::nullopt;
   Verdict verdict = refusal("E6101", "a program runs, and the change of ");
@@ -309,17 +310,40 @@ std::optional<Verdict> OperatorDesk::refusal_in_run(std::optional<double> now, d
   return verdict;
 }
 
+// A length counts at once in held channels; where others run as well it is bounded as in a run.
+std::optional<Verdict> OperatorDesk::refusal_of_tool(const commands::ToolSet& command,
+                                                     ToolValue value) const RT_SAFE {
+  bool all_are_held = axis_of_length(value) >= 0;
+  for (int k = 0; k < channels_.count(); ++k) {
+    const RunState& state = channels_[k].state();
+    all_are_held = all_are_held && (!state.is_running() || state.is_held());
+  }
+  const auto now = stores_.tables->tool_value(command.tool, command.edge, static_cast<int>(value));
+  if (!all_are_held) {
+    if (auto refused = refusal_in_run(is_wear(value) ? now : std::nullopt, command.value, "mm"))
+      return refused;
+  }
+  if (axis_of_length(value) < 0) return std::nullopt;
+  return lengths_.refusal_in_hold(command.tool, command.edge);
+}
+
 Verdict OperatorDesk::set_tool(const commands::ToolSet& command) RT_SAFE {
-  const int edge = std::max(1, command.edge);
-  const int value = tool_value_named(command.key.view());
-  if (value == 0 || !stores_.tables->has_place(command.tool, edge))
+  commands::ToolSet wanted = command;
+  wanted.edge = std::max(1, command.edge);
+  const int number = tool_value_named(command.key.view());
+  const auto value = static_cast<ToolValue>(number);
+  LiveTables& tables = *stores_.tables;
+  if (number == 0 || !tables.has_place(wanted.tool, wanted.edge))
     return refusal("E5021", "there is no such tool, edge or value");
-  const auto now = stores_.tables->tool_value(command.tool, edge, value);
-  if (const auto refused = refusal_in_run(is_wear(value) ? now : std::nullopt, command.value, "mm"))
-    return *refused;
-  if (!stores_.tables->set_tool_value(command.tool, edge, value, command.value, Writer::person))
+  if (wanted.tool == 0 || !can_be(value, wanted.value))
     return refusal("E5020", "the value is out of range");
-  settle({.tool = command.tool, .edge = edge});
+  if (const auto refused = refusal_of_tool(wanted, value)) return *refused;
+  const double now = tables.tool_value(wanted.tool, wanted.edge, number).value_or(0.0);
+  if (const int axis = axis_of_length(value); axis >= 0)
+    lengths_.change(wanted.tool, wanted.edge, axis, wanted.value - now);
+  if (!tables.set_tool_value(wanted.tool, wanted.edge, number, wanted.value, Writer::person))
+    return refusal("E5020", "the value is out of range");
+  settle({.tool = wanted.tool, .edge = wanted.edge});
   return success();
 }
 

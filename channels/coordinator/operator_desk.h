@@ -11,6 +11,7 @@
 #include "channels/contract/operator_event.h"
 #include "channels/coordinator/channel_table.h"
 #include "channels/coordinator/control_desk.h"
+#include "channels/coordinator/length_desk.h"
 #include "channels/coordinator/machine_stores.h"
 #include "channels/coordinator/verdict.h"
 #include "lang/contract/changed_rows.h"
@@ -21,7 +22,7 @@ class OperatorDesk {
  public:
   // Both outlive the desk, and what `stores` names.
   OperatorDesk(const ChannelTable& channels, ControlDesk& control, const MachineStores& stores)
-      : channels_(channels), control_(control), stores_(stores) {}
+      : channels_(channels), control_(control), stores_(stores), lengths_(channels, stores) {}
 
   // `channel`: the one that the event names; nullptr: all. Nothing: the command takes time.
   [[nodiscard]] std::optional<Verdict> apply(const OperatorEvent& event, Channel* channel) RT_SAFE;
@@ -32,6 +33,8 @@ class OperatorDesk {
   [[nodiscard]] Verdict switch_on(const Channel* named) RT_SAFE;
   [[nodiscard]] std::optional<Verdict> refusal_in_run(std::optional<double> now, double to,
                                                       std::string_view unit) const RT_SAFE;
+  [[nodiscard]] std::optional<Verdict> refusal_of_tool(const commands::ToolSet& command,
+                                                       ToolValue value) const RT_SAFE;
   [[nodiscard]] Verdict set_tool(const commands::ToolSet& command) RT_SAFE;
   [[nodiscard]] Verdict set_offset(const commands::OffsetSet& command) RT_SAFE;
   [[nodiscard]] Verdict touch(const Channel& channel, const commands::OffsetTouch& command) RT_SAFE;
@@ -41,6 +44,7 @@ class OperatorDesk {
   const ChannelTable& channels_;
   ControlDesk& control_;
   MachineStores stores_;
+  LengthDesk lengths_;
 };
 
 }  // namespace stanok::channels

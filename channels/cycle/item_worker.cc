@@ -86,10 +86,14 @@ struct ItemWorker::Execution {
     worker.rest(settled.rest);
     worker.settling_.finish();
   }
-  // The axes stand for one cycle in the new frame, so that every trace begins where they are.
+  // The axes stand for one cycle in the new frame, so that every trace begins where they are. Where
+  // a length was changed in a hold behind which this was prepared, an operator leads them to the
+  // path.
   void operator()(const TransformSet& set) const RT_SAFE {
-    parts.motion.stand_in(*set.transform);
     worker.wait(Activity::frame, 0.0);
+    if (parts.motion.go_on_in(*set.transform, set.start) == PathStart::at_axes) return;
+    parts.run.hold(HoldCause::changed_length);
+    parts.run.apply(Change::path_left);
   }
   void operator()(const lang::Dwell& dwell) const RT_SAFE {
     worker.wait(Activity::dwell, dwell.seconds);

@@ -8,6 +8,7 @@ void RunControl::begin_run() RT_SAFE {
   stepper_.begin(runs_.run());
   holds_path_ = false;
   motion_.cut_history();
+  motion_.lengths().forget();
 }
 
 void RunControl::end_run(RunResult result, std::uint64_t blocks) RT_SAFE {

@@ -10,6 +10,7 @@
 #include "channels/contract/input_record.h"
 #include "channels/messages/item.h"
 #include "channels/messages/notice.h"
+#include "kinematics/length_changes.h"
 #include "motion/path/path_queue.h"
 
 namespace stanok::channels {
@@ -31,6 +32,7 @@ struct ChannelLink {
   Ring<Remark> remarks{1024};                   // preparation -> cycle
   Ring<TableTaking> takings{64};                // preparation -> cycle
   Ring<Notice> notices{16};                     // cycle -> preparation
+  Ring<kinematics::LengthChange> lengths{64};   // cycle -> preparation
 
   // The cycle. Bound: a load or search, a start, a switch and an answer are each asked for one at a
   // time and the next only when the preparation has answered, and a reset ends them all; of an

@@ -67,9 +67,10 @@ struct Settled {
   Rest rest{};
 };
 
-// The transform holds from here on.
+// The transform holds from here on, and the path goes on from its point `start`.
 struct TransformSet {
   const kinematics::Transform* transform = nullptr;
+  motion::Point start{};  // of the path in it
 };
 
 // The move behind it ends where the probe changes.

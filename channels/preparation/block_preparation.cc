@@ -50,11 +50,12 @@ motion::Point point_on(const motion::Point& start, const motion::Point& end,
 }  // namespace
 
 BlockPreparation::BlockPreparation(const MachineConfig& machine, const ChannelConfig& channel,
-                                   const motion::MotionConfig& motion)
+                                   const motion::MotionConfig& motion, const ChannelTables* tables)
     : motion_(motion),
       channel_(channel),
       process_(machine, channel),
       face_(motion),
+      tables_(tables),
       transforms_(1) {}
 
 void BlockPreparation::begin_run() {
@@ -64,6 +65,7 @@ void BlockPreparation::begin_run() {
 
 void BlockPreparation::restart(const kinematics::Scheme* scheme, const motion::Point& axes_M) {
   face_.end();
+  row_ = {};
   programmed_ = {};
   programmed_.scheme = scheme;
   transforms_.push_back(programmed_);
@@ -72,22 +74,52 @@ void BlockPreparation::restart(const kinematics::Scheme* scheme, const motion::P
 
 void BlockPreparation::change_scheme(const kinematics::Scheme* scheme,
                                      const motion::Point& axes_M) {
+  static_cast<void>(take_lengths());
   face_.end();
   programmed_.scheme = scheme;
   transforms_.push_back(programmed_);
   stand_at(axes_M);
 }
 
+// Where the row of the tool counts the programmed point stays, otherwise the axes do.
+bool BlockPreparation::take_lengths() {
+  if (tables_ == nullptr) return false;
+  const kinematics::LengthChanges& changes = tables_->length_changes();
+  const kinematics::ToolRow before = std::exchange(row_, row_.behind(tables_->version()));
+  if (!changes.concern(before)) return false;
+  const bool keeps_point = programmed_.row.sign != 0;
+  const motion::Point standing = axes_M();
+  programmed_.row = before;
+  programmed_ = kinematics::with_changes(programmed_, changes);
+  programmed_.row = keeps_point ? row_ : kinematics::ToolRow{};
+  transforms_.push_back(face_.applied_to(programmed_));
+  if (!keeps_point) stand_at(standing);
+  return true;
+}
+
+bool BlockPreparation::stand_for(const lang::Move& move) {
+  const bool is_new = take_lengths();
+  const kinematics::ToolRow wanted = move.machine_coordinates ? kinematics::ToolRow{} : row_;
+  if (wanted.is_same(programmed_.row)) return is_new;
+  programmed_.row = wanted;
+  transforms_.push_back(face_.applied_to(programmed_));
+  return true;
+}
+
 bool BlockPreparation::take_state(const lang::Payload& command) {
-  if (const auto* frame = std::get_if<lang::FrameChange>(&command)) return set_frame(*frame);
-  if (const auto* length = std::get_if<lang::ToolLength>(&command)) return set_tool_length(*length);
+  const bool is_new = take_lengths();
+  if (const auto* frame = std::get_if<lang::FrameChange>(&command))
+    return set_frame(*frame) || is_new;
+  if (const auto* length = std::get_if<lang::ToolLength>(&command))
+    return set_tool_length(*length) || is_new;
   if (const auto* change = std::get_if<lang::TransformationChange>(&command))
     return set_transformation(*change);
-  process_.take_state(command, diameter(position_W_));
-  return false;
+  process_.take_state(command, diameter_of(motion_, position_W_));
+  return is_new;
 }
 
 void BlockPreparation::settle(const lang::MeaningTerms& standing) {
+  static_cast<void>(take_lengths());
   const bool is_transformed = standing.transformation.kind != lang::Transformation::off;
   if (face_.is_on() && !is_transformed)
     static_cast<void>(set_transformation(standing.transformation));
@@ -104,10 +136,12 @@ bool BlockPreparation::set_frame(const lang::FrameChange& change) {
 }
 
 bool BlockPreparation::set_tool_length(const lang::ToolLength& length) {
+  const lang::ToolLength now = tables_ == nullptr ? length : tables_->in_force(length);
   kinematics::Transform next = programmed_;
-  next.mode = length.mode == lang::LengthMode::tip ? kinematics::PointMode::tip
-                                                   : kinematics::PointMode::axes;
-  next.tool.nose_to_tip_mm = Vector3<double>::Zero() - vector3(length.offset_mm);
+  next.mode =
+      now.mode == lang::LengthMode::tip ? kinematics::PointMode::tip : kinematics::PointMode::axes;
+  next.tool.nose_to_tip_mm = Vector3<double>::Zero() - vector3(now.offset_mm);
+  next.row = row_ = row_of(now);
   return take_programmed(next);
 }
 
@@ -134,11 +168,7 @@ bool BlockPreparation::take_programmed(const kinematics::Transform& next) {
 
 void BlockPreparation::stand_at(const motion::Point& axes_M) {
   kinematics::forward(transform(), axes_M, position_W_);
-  if (is_on_face()) face_axis_M_ = motion::at(axes_M, face_.rotary_axis());
-}
-
-bool BlockPreparation::is_on_face() const {
-  return face_.is_on() && face_.is_face();
+  if (face_.is_on_face()) face_axis_M_ = motion::at(axes_M, face_.rotary_axis());
 }
 
 // The position on the face says nothing of the turns that its rotary axis has made.
@@ -174,7 +204,7 @@ double BlockPreparation::face_turn(const motion::PathBlock& block, double from, 
 motion::Point BlockPreparation::axes_M() const {
   motion::Point axes_M{};
   kinematics::inverse(transform(), position_W_, axes_M);
-  if (is_on_face()) {
+  if (face_.is_on_face()) {
     constexpr double turn = 360.0;
     double& rotary = axes_M[face_.rotary_axis()];
     rotary += turn * std::round((face_axis_M_ - rotary) / turn);
@@ -221,7 +251,7 @@ motion::Point BlockPreparation::end_of(const lang::Move& move) const {
 // about Z, XA and BY on those about X and Y.
 std::array<int, 2> BlockPreparation::plane_axes(lang::Plane plane) const {
   const std::array<int, 3> axes = face_.geometry();
-  if (face_.is_on() && face_.is_face()) return {axes[0], axes[1]};
+  if (face_.is_on_face()) return {axes[0], axes[1]};
   switch (plane) {
     case lang::Plane::xy:
       return {axes[0], axes[1]};
@@ -298,8 +328,8 @@ double BlockPreparation::length_of(const motion::Point& from_W,
 }
 
 // In the diameters of a turned part around Z; without an X axis there are none.
-double BlockPreparation::diameter(const motion::Point& point_W) const {
-  const int x = motion_.geometry[0];
+double diameter_of(const motion::MotionConfig& motion, const motion::Point& point_W) {
+  const int x = motion.geometry[0];
   return x < 0 ? 0.0 : 2.0 * std::abs(motion::at(point_W, x));
 }
 
@@ -308,7 +338,8 @@ ProcessPreparation::Travel BlockPreparation::travel_of(const motion::PathBlock& 
   const int x = motion_.geometry[0];
   const bool passes_centre =
       x >= 0 && std::signbit(motion::at(position_W_, x)) != std::signbit(motion::at(block.end, x));
-  const double smaller = std::min(diameter(position_W_), diameter(block.end));
+  const double smaller =
+      std::min(diameter_of(motion_, position_W_), diameter_of(motion_, block.end));
   motion::MotionConfig motion = motion_;
   motion.geometry = face_.geometry();
   const bool in_mm = motion::travel_of(block, position_W_, motion) == motion::BlockTravel::geometry;
@@ -317,7 +348,7 @@ ProcessPreparation::Travel BlockPreparation::travel_of(const motion::PathBlock& 
 
 // A blend at the end of the block may come nearer than the block itself.
 std::optional<Diagnostic> BlockPreparation::refuse_pole(const motion::PathBlock& block) const {
-  if (!face_.is_on() || !face_.is_face()) return std::nullopt;
+  if (!face_.is_on_face()) return std::nullopt;
   const double distance = face_.distance_to_pole(position_W_, block);
   if (distance >= pole_distance_min_mm + block.tolerance_mm) return std::nullopt;
   Diagnostic d;
@@ -349,7 +380,7 @@ Expected<motion::PathBlock, Diagnostic> BlockPreparation::block(const lang::Move
   const auto travel = travel_of(*block, length_of(position_W_, *block));
   if (auto refusal = process_.apply(move, travel, *block))
     return Unexpected<Diagnostic>(std::move(*refusal));
-  if (is_on_face()) face_axis_M_ += face_turn(*block, 0.0, 1.0);
+  if (face_.is_on_face()) face_axis_M_ += face_turn(*block, 0.0, 1.0);
   position_W_ = block->end;
   return block;
 }

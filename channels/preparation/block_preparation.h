@@ -13,16 +13,21 @@
 #include "channels/contract/machine_config.h"
 #include "channels/preparation/face_transformation.h"
 #include "channels/preparation/process_preparation.h"
+#include "channels/stores/channel_tables.h"
 #include "lang/contract/command.h"
 #include "lang/contract/meaning.h"
 #include "motion/path/path.h"
 
 namespace stanok::channels {
 
+// Of a part turned around Z, mm; 0: the channel has no X.
+[[nodiscard]] double diameter_of(const motion::MotionConfig& motion, const motion::Point& point_W);
+
 class BlockPreparation {
  public:
+  // `tables`: where changes of lengths that count at once are read; nullptr: there are none.
   BlockPreparation(const MachineConfig& machine, const ChannelConfig& channel,
-                   const motion::MotionConfig& motion);
+                   const motion::MotionConfig& motion, const ChannelTables* tables = nullptr);
 
   // A run begins. Transforms of the run before the latest one become invalid: until the new run has
   // given its first one to the cycle, the cycle stands in those of the latest.
@@ -33,6 +38,14 @@ class BlockPreparation {
 
   // Another scheme is active, the axes stand at `axes_M`; frame and tool stay.
   void change_scheme(const kinematics::Scheme* scheme, const motion::Point& axes_M);
+
+  // Takes changes of lengths into account; the programmed point stays. Where the chain has ended.
+  // True: the transform is a new one, as behind take_state().
+  [[nodiscard]] bool take_lengths();
+  // Machine positions are not those of a tool: before a move to them, and before others behind it,
+  // the transform is one without a row of the tool table, or with it. True: it is a new one, as
+  // behind take_state().
+  [[nodiscard]] bool stand_for(const lang::Move& move);
 
   // Takes over what a command sets up for the motion after it: frame, tool length, what feed and
   // spindle do.
@@ -45,7 +58,7 @@ class BlockPreparation {
 
   // A feed law for the motion that follows; the path goes on.
   void take_process(const lang::Payload& command) {
-    process_.take_state(command, diameter(position_W_));
+    process_.take_state(command, diameter_of(motion_, position_W_));
   }
 
   [[nodiscard]] double steady_speed() const { return process_.steady_speed(); }
@@ -97,7 +110,6 @@ class BlockPreparation {
   [[nodiscard]] bool set_tool_length(const lang::ToolLength& length);
   [[nodiscard]] bool set_transformation(const lang::TransformationChange& change);
   [[nodiscard]] bool take_programmed(const kinematics::Transform& next);
-  [[nodiscard]] bool is_on_face() const;
   [[nodiscard]] double face_axis_at(const motion::PathBlock& block, double part) const;
   [[nodiscard]] double face_turn(const motion::PathBlock& block, double from, double to) const;
   [[nodiscard]] std::optional<Diagnostic> refuse_pole(const motion::PathBlock& block) const;
@@ -111,13 +123,14 @@ class BlockPreparation {
       const lang::Move& move, const motion::BlockTag& tag) const;
   [[nodiscard]] ProcessPreparation::Travel travel_of(const motion::PathBlock& block,
                                                      double length) const;
-  [[nodiscard]] double diameter(const motion::Point& point_W) const;
 
   const motion::MotionConfig& motion_;
   const ChannelConfig& channel_;
   kinematics::Transform programmed_;  // without face or cylinder transformation
   ProcessPreparation process_;
   FaceTransformation face_;
+  kinematics::ToolRow row_;  // of the length that is in force
+  const ChannelTables* tables_;
   double face_axis_M_ = 0.0;  // on a face: where its rotary axis stands, with all its turns; deg
   std::deque<kinematics::Transform> transforms_;         // segments in the queue point into it
   std::deque<kinematics::Transform> transforms_before_;  // of the run before

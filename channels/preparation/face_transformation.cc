@@ -95,7 +95,7 @@ void FaceTransformation::begin(const lang::TransformationChange& change,
   active_ = &active;
   motion::Point point_B{};
   active.forward(kinematics::PointMode::axes, {}, axes_M, point_B);
-  const int radial = motion_.geometry[is_face() ? radial_of(change) : 0];
+  const int radial = motion_.geometry[is_on_face() ? radial_of(change) : 0];
   side_ = motion::at(point_B, radial) < 0.0 ? kinematics::FaceSide::negative
                                             : kinematics::FaceSide::positive;
 }
@@ -104,7 +104,7 @@ kinematics::Transform FaceTransformation::applied_to(const kinematics::Transform
   if (!is_on()) return programmed;
   const AxisIndex rotary = change_.rotary_axis;
   kinematics::SchemeConfig config =
-      is_face()
+      is_on_face()
           ? kinematics::face_scheme(active_->config(), change_.rotary_axis, side_,
                                     radial_of(change_))
           : kinematics::cylinder_scheme(active_->config(), change_.rotary_axis, change_.radius_mm);

@@ -36,7 +36,7 @@ class FaceTransformation {
 
   [[nodiscard]] bool is_on() const { return change_.kind != lang::Transformation::off; }
   [[nodiscard]] int rotary_axis() const { return change_.rotary_axis; }
-  [[nodiscard]] bool is_face() const { return change_.kind == lang::Transformation::polar_face; }
+  [[nodiscard]] bool is_on_face() const { return change_.kind == lang::Transformation::polar_face; }
 
   // The transform of the path for a frame as programmed.
   [[nodiscard]] kinematics::Transform applied_to(const kinematics::Transform& programmed);

@@ -50,14 +50,21 @@ int digital_input(const ChannelConfig& channel, int input) {
   return place < channel.skip_inputs.size() ? channel.skip_inputs[place] : -1;
 }
 
+// A chain has one transform.
+void stand_for(PathFeed& feed, const lang::Command& command, const lang::Move& move) {
+  if (!feed.blocks().stand_for(move)) return;
+  feed.end_chain();
+  feed.give_transform(feed.tag_of(command));
+}
+
 }  // namespace
 
 PathFeed::PathFeed(const MachineConfig& machine, const ChannelConfig& channel,
-                   const motion::MotionConfig& motion, FeedSink& sink)
+                   const motion::MotionConfig& motion, FeedSink& sink, const ChannelTables* tables)
     : channel_(channel),
       motion_(motion),
       sink_(&sink),
-      blocks_(machine, channel, motion),
+      blocks_(machine, channel, motion, tables),
       builder_(motion),
       threads_(machine, channel, motion) {}
 
@@ -162,6 +169,7 @@ PathFeed::Refusal PathFeed::take_transformation(const lang::Command& command,
 
 PathFeed::Refusal PathFeed::take_move(const lang::Command& command, const lang::Move& move) {
   end_thread();
+  stand_for(*this, command, move);
   const motion::Point start = blocks_.position_W();
   const auto block = blocks_.block(move, tag_of(command));
   if (!block) return block.error();
@@ -176,6 +184,7 @@ PathFeed::Refusal PathFeed::take_move(const lang::Command& command, const lang::
 PathFeed::Refusal PathFeed::take_curve(const lang::Command& command,
                                        const lang::SplineMove& spline) {
   end_thread();
+  stand_for(*this, command, spline.base);
   const motion::Point start = blocks_.position_W();
   const auto blocks = blocks_.curve(spline, tag_of(command));
   if (!blocks) return blocks.error();
@@ -204,7 +213,10 @@ PathFeed::Refusal PathFeed::follow(const motion::PathBlock& block) {
 // A tap comes back to where it begins.
 PathFeed::Refusal PathFeed::take_thread(const lang::Command& command,
                                         const lang::SynchronousMove& move) {
-  if (!threads_.continues(move)) end_chain();
+  if (!threads_.continues(move)) {
+    end_chain();
+    stand_for(*this, command, move.line);
+  }
   const motion::Point start = blocks_.position_W();
   const auto line = blocks_.thread_line(move.line, tag_of(command));
   if (!line) return line.error();
@@ -296,7 +308,8 @@ void PathFeed::give_remark(const Remark& remark) {
 
 void PathFeed::give_transform(const motion::BlockTag& tag) {
   builder_.restart(blocks_.position_W(), blocks_.geometry());
-  give({.tag = tag, .content = TransformSet{&blocks_.transform()}});
+  give({.tag = tag,
+        .content = TransformSet{.transform = &blocks_.transform(), .start = blocks_.position_W()}});
 }
 
 void PathFeed::end_chain() {
@@ -324,7 +337,7 @@ void PathFeed::collect_segments() {
 
 void PathFeed::begin_machine_path(const motion::Point& axes_M) {
   builder_.restart(axes_M);
-  give({.content = TransformSet{&machine_axes_transform()}});
+  give({.content = TransformSet{.transform = &machine_axes_transform(), .start = axes_M}});
 }
 
 bool PathFeed::move_axis(int axis, double position, double velocity) {

@@ -32,9 +32,10 @@ struct Taken {
 
 class PathFeed {
  public:
-  // All arguments outlive the feed.
+  // All arguments outlive the feed; `tables` as of BlockPreparation.
   PathFeed(const MachineConfig& machine, const ChannelConfig& channel,
-           const motion::MotionConfig& motion, FeedSink& sink);
+           const motion::MotionConfig& motion, FeedSink& sink,
+           const ChannelTables* tables = nullptr);
 
   // Blocks are counted afresh and carry `run` in their tags.
   void begin_run(std::uint32_t run);

@@ -119,6 +119,7 @@ void Preparation::begin_run(const RunStart& start, std::shared_ptr<const lang::P
   command_ = 0;
   asks_ = false;
   parts_.tables.advance_to(start.stand.tables);
+  parts_.tables.begin_run();
   situations_.begin_run(start.run);
   static_cast<void>(parts_.interpreter.take_meanings());  // of a search
   numbered_.clear();
@@ -155,7 +156,9 @@ void Preparation::name_files() {
 void Preparation::obey(const RequestAnswer& notice) {
   parts_.tables.advance_to(notice.tables);
   if (task_ != Task::waiting_answer) return;
+  parts_.interpreter.follow_lengths();
   BlockPreparation& blocks = parts_.feed.blocks();
+  if (blocks.take_lengths()) parts_.feed.give_transform();
   const ChannelAnswer& told = notice.answer;
   lang::Answer answer;
   answer.ok = told.ok;
@@ -288,6 +291,7 @@ bool Preparation::take_tables(const Guide& guide) {
   if (newest == tables.view().version() || !link_.notices.empty()) return true;
   if (link_.takings.space() == 0) return true;
   tables.advance_to(newest);
+  parts_.interpreter.follow_lengths();
   static_cast<void>(link_.takings.push({run_, command_, tables.view().version()}));
   return true;
 }
@@ -298,6 +302,7 @@ bool Preparation::repeat_takings(const Guide& guide) {
   while (const TableTaking* taking = guide.recorded->at(run_, command_)) {
     if (taking->version > parts_.tables.newest_version()) return false;
     parts_.tables.advance_to(taking->version);
+    parts_.interpreter.follow_lengths();
     guide.recorded->takings.pop_front();
   }
   return true;

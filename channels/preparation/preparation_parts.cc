@@ -27,10 +27,10 @@ PreparationParts::PreparationParts(const MachineConfig& machine, const ChannelCo
       reports(books.reports),
       motion(motion_config(machine, channel)),
       description(channel_description(machine, channel)),
-      tables(books.tables, machine, channel),
+      tables(books.tables, machine, channel, &books.link.lengths),
       interpreter(description, tables, files),
       queue(motion, books.link, books.shared, books.situations),
-      feed(machine, channel, motion, queue) {}
+      feed(machine, channel, motion, queue, &tables) {}
 
 void PreparationParts::restart(const Stand& stand) {
   scheme = schemes.contains(stand.scheme) ? schemes.at(stand.scheme).get() : nullptr;

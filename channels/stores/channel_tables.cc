@@ -37,14 +37,43 @@ lang::Alignment::Outcome alignment_outcome(kinematics::DirectionChoice::Outcome 
 
 }  // namespace
 
+kinematics::ToolRow row_of(const lang::ToolLength& length) {
+  using Row = lang::ToolLength::Row;
+  kinematics::ToolRow row;
+  if (length.row == Row::none) return row;
+  return {.tool = length.tool,
+          .edge = length.edge,
+          .sign = length.row == Row::subtracted ? -1 : 1,
+          .version = length.version};
+}
+
 ChannelTables::ChannelTables(LiveTables& live, const MachineConfig& machine,
-                             const ChannelConfig& channel)
-    : live_(live), view_(live), channel_(channel.id) {
+                             const ChannelConfig& channel, Ring<kinematics::LengthChange>* lengths)
+    : live_(live), view_(live), lengths_to_come_(lengths), channel_(channel.id) {
   for (const int axis : channel.axes) {
     const AxisConfig& config = machine.axes[axis];
     axis_names_.push_back(config.name);
     travel_.push_back({config.limits.position_min, config.limits.position_max});
   }
+}
+
+void ChannelTables::advance_to(std::uint64_t version) {
+  view_.advance_to(version);
+  if (lengths_to_come_ == nullptr) return;
+  Ring<kinematics::LengthChange>& lengths = *lengths_to_come_;
+  while (!lengths.empty() && lengths.front().version <= view_.version()) {
+    length_changes_.note(lengths.front());
+    lengths.pop_front();
+  }
+}
+
+lang::ToolLength ChannelTables::in_force(const lang::ToolLength& length) const {
+  const kinematics::ToolRow row = row_of(length);
+  if (!length_changes_.concern(row)) return length;
+  lang::ToolLength now = length;
+  now.offset_mm = components(vector3(length.offset_mm) + length_changes_.since(row));
+  now.version = view_.version();
+  return now;
 }
 
 void ChannelTables::set_scheme(const kinematics::Scheme& scheme) {

@@ -13,21 +13,6 @@ namespace {
 constexpr int variables_of_channel = lang::kept_variables;
 constexpr double length_max = 1e5;  // mm, or deg of an offset
 
-bool is_in_range(ToolValue value, double to) RT_SAFE {
-  constexpr double angle_max = 360.0;
-  switch (value) {
-    case ToolValue::orientation:
-      return to >= 0.0 && to <= 9.0 && to == static_cast<double>(static_cast<int>(to));
-    case ToolValue::angle_front:
-    case ToolValue::angle_back:
-      return to >= -angle_max && to <= angle_max;
-    case ToolValue::radius:
-      return to >= 0.0 && to <= length_max;
-    default:
-      return to >= -length_max && to <= length_max;
-  }
-}
-
 }  // namespace
 
 std::string reference_point_name(int which) {
@@ -163,7 +148,7 @@ bool LiveTables::set_tool_value(int number, int edge, int value, double to, Writ
   const int place =
       writer == Writer::program ? find(number, edge) : layout_.tool_place(number, edge);
   if (place < 0 || value < 1 || value > tool_values) return false;
-  if (number == 0 || !is_in_range(static_cast<ToolValue>(value), to)) return false;
+  if (number == 0 || !can_be(static_cast<ToolValue>(value), to)) return false;
   write(layout_.tool_cell(place, value), to);
   if (value_of(layout_.presence_cell(place)) == 0.0) write(layout_.presence_cell(place), 1.0);
   return true;

@@ -1,7 +1,9 @@
-// A held program whose axes are jogged away, led back along the path and returned, at random, and
-// whose preparation comes as threads do: the log repeats it bit for bit.
+// A held program whose axes are jogged away, led back along the path and returned, and whose tools
+// get other lengths, at random, and whose preparation comes as threads do: the log repeats it bit
+// for bit.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "runtime/replay.h"
@@ -29,7 +31,8 @@ class RandomHands {
 
   // Corners, arcs, and now and then what cannot be undone.
   std::string program() {
-    std::string text = "G90 G17 G21 G54\nM3 S1000\nF3000\nG0 X200 Y200 Z200\n";
+    std::string text = "G90 G17 G21 G54\nM3 S1000\nF3000\nG43 H1\nG0 X200 Y200 Z200\n";
+    const std::array<const char*, 4> of_lengths{"G49\n", "G43 H1\n", "G43 H2\n", "G53 G0 Z320\n"};
     for (int n = 0; n < 60; ++n) {
       text += pick(0, 3) == 0 ? "G2 X" + std::to_string(pick(150, 250)) + " Y" +
                                     std::to_string(pick(150, 250)) + " R200\n"
@@ -37,6 +40,7 @@ class RandomHands {
                                     std::to_string(pick(150, 250)) + " Z" +
                                     std::to_string(pick(150, 250)) + "\n";
       if (pick(0, 9) == 0) text += pick(0, 1) == 0 ? "M8\n" : "G4 P0.05\n";
+      if (pick(0, 4) == 0) text += of_lengths[static_cast<std::size_t>(pick(0, 3))];
     }
     return text + "M30\n";
   }
@@ -45,7 +49,7 @@ class RandomHands {
     const std::string axis(1, "XYZ"[pick(0, 2)]);
     const double length = pick(0, 1) == 0 ? 0.0 : real(0.1, 60.0);
     const double velocity = (pick(0, 1) == 0 ? -1.0 : 1.0) * real(5.0, 100.0);
-    switch (pick(0, 11)) {
+    switch (pick(0, 13)) {
       case 0:
         return run.ask(OperatorAction::jog, 1, axis, velocity, real(0.1, 20.0));
       case 1:
@@ -62,6 +66,9 @@ class RandomHands {
         return run.ask(OperatorAction::program_resume, 1);
       case 7:
         return run.ask(OperatorAction::program_hold, 1);
+      case 8:
+      case 9:
+        return change_length();
       default: {
         channels::OperatorEvent event;
         event.channel = 1;
@@ -79,6 +86,14 @@ class RandomHands {
   int jogged = 0;
 
  private:
+  void change_length() {
+    channels::OperatorEvent event;
+    event.command = channels::commands::ToolSet{
+        .key = channels::ShortText(pick(0, 1) == 0 ? "length" : "wear_length"),
+        .value = real(0.0, 0.4),
+        .tool = pick(1, 2)};
+    run.ask(event);
+  }
   void look(const channels::ChannelOutput& channel) {
     if (!channel.moving || !channel.aside) return;
     ++(channel.retrace.line != 0 ? retraced : jogged);

@@ -35,7 +35,7 @@ TEST_F(AxisMotionTest, StandsWhereTheAxesAreAtTheStart) {
   EXPECT_TRUE(motion_.is_standing());
   EXPECT_EQ(motion_.path().point[0].value, 10.0);
   EXPECT_EQ(motion_.axes_M()[1], 20.0);
-  EXPECT_EQ(motion_.diameter(), 20.0);  // of X = 10 mm
+  EXPECT_EQ(diameter_at_tool(motion_), 20.0);  // of X = 10 mm
 }
 
 // A step of 1 mm at 50 mm/s ends there, and the path begins anew where the axis has come to.
@@ -99,12 +99,12 @@ TEST_F(AxisMotionTest, WhileTheMachineIsOffPositionsOfAllAxesAreAdopted) {
 }
 
 TEST_F(AxisMotionTest, AxesAreHomedThatLookForASwitchAndAreMovedByThisChannel) {
-  EXPECT_EQ(motion_.axes_to_home(), 0);
+  EXPECT_EQ(axes_to_home(axes_), 0);
   bench_.constants.axes[bench_x].manual.homing.order = 1;
   bench_.constants.axes[bench_y].manual.homing.order = 1;
   bench_.constants.axes[bench_c].manual.homing.order = 2;  // a spindle now
   axes_.set_owned(bench_y, false);
-  EXPECT_EQ(motion_.axes_to_home(), 1U << bench_x);
+  EXPECT_EQ(axes_to_home(axes_), 1U << bench_x);
 }
 
 }  // namespace

@@ -54,6 +54,24 @@ TEST_F(WayAsideTest, GoesBackAsItCame) {
                                  place_of(1.0, 2.0, 3.0)}));
 }
 
+// The tool is longer by 2: where its point came, it goes back.
+TEST_F(WayAsideTest, MovesAlongWithTheLengthOfTheTool) {
+  motion::MotionConfig config;
+  config.axes[2].position_max = 9.5;
+  go(place_of(1.0, 2.0, 7.0));
+  go(place_of(4.0, 2.0, 7.0));
+  go(place_of(4.0, 2.0, 9.0));
+  way.shift(place_of(1.0, 2.0, 5.0), config);
+  EXPECT_EQ(back(), (std::vector{place_of(4.0, 2.0, 9.5), place_of(4.0, 2.0, 9.0),
+                                 place_of(1.0, 2.0, 9.0), place_of(1.0, 2.0, 5.0)}));
+}
+
+TEST_F(WayAsideTest, OnThePathLeadsToWhereThePathIsThen) {
+  way.shift(place_of(1.0, 2.0, 5.0), {});
+  EXPECT_FALSE(way.is_at_path());
+  EXPECT_EQ(back(), std::vector{place_of(1.0, 2.0, 5.0)});
+}
+
 // Ten clicks upwards and two down again are one part.
 TEST_F(WayAsideTest, MovesAlongOneAxisAreOnePart) {
   for (int n = 1; n <= 10; ++n) go(place_of(1.0, 2.0, 3.0 + n));
