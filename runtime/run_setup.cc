@@ -64,10 +64,10 @@ recording::LogDescription description_of(const config::MachineFile& file, std::s
 void record_setup(const RunSetup& setup, const config::MachineFile& file,
                   recording::MessageStream& stream) {
   using recording::TextKind;
-  const std::filesystem::path folder = file.path.parent_path();
+  const std::filesystem::path folder = file.path.lexically_normal().parent_path();
   for (const config::SourceFile& source : file.sources) {
     const bool is_machine = &source == &file.sources.front();
-    const std::string name = source.path.lexically_relative(folder).string();
+    const std::string name = source.path.lexically_normal().lexically_relative(folder).string();
     stream.text({.kind = is_machine ? TextKind::machine_file : TextKind::scheme,
                  .name = name,
                  .text = source.text});

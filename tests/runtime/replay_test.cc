@@ -65,6 +65,16 @@ TEST_P(ReplayOfAnything, IsTheSameBitForBit) {
 INSTANTIATE_TEST_SUITE_P(Seeds, ReplayOfAnything,
                          ::testing::Range(0, stanok::testing::is_sanitized ? 6 : 12));
 
+// The files of the machine are named from its folder, however that was written.
+TEST(Replay, FindsTheTablesOfAMachineThatWasNamedByADetour) {
+  const std::filesystem::path detour = source_tree / ".." / source_tree.filename();
+  RecordedByChance run((detour / "config" / "machines" / "trunnion.toml").string(),
+                       DriveChoice::ideal, 1);
+  run.run(20);
+  run.close();
+  EXPECT_TRUE(replay(run.path(), {}).is_same());
+}
+
 TEST(Replay, ALogSaysWhichMachineFileItIsOf) {
   RecordedByChance run("mill3.toml", DriveChoice::ideal, 1);
   run.run(10);
