@@ -153,6 +153,8 @@ function(stanok_test_suites target prefix label)
   set(timeout_s 900)  # ends what hangs; on a loaded computer a suite takes four times as long
   if(STANOK_SANITIZE STREQUAL "thread")
     set(timeout_s 1500)
+  elseif(NOT STANOK_SANITIZE)
+    set(timeout_s 3600)  # all random cases, and not a tenth: a quarter of an hour for the longest suite alone
   endif()
   set(listing ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
   file(GENERATE OUTPUT ${listing} CONTENT

@@ -38,6 +38,7 @@ struct ChannelConstants {
   std::int64_t stop_cycles_max = 0;  // behind which power is removed from axes that still move
   std::size_t retrace_bytes = 0;     // for the path that lies behind
   int probe_input = -1;              // on while the probe touches; -1: there is none
+  bool first_run = false;            // the first part of each program is one (set_first_part)
   bool stops_go_on = false;          // M0 and M60 continue at once, M99 ends the run (simulate)
   AxisArray<AxisConstants> axes{};
   AxisArray<int> machine_axis{};  // index among all axes of the machine

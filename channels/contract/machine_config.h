@@ -130,6 +130,7 @@ struct MachineConfig {
       0.0;  // of any stop, until power is removed; 0: by the limits of the axes
   double request_age_max_s = 0.5;  // of what begins motion, until the cycle takes it
   int retrace_memory_mb = 64;      // of each channel, for the path that lies behind
+  bool first_run = false;          // rapid is limited until a program has run to its end once
   int catch_up_max = 3;            // periods without a cycle behind which the path still goes on
   NumberedList<AxisConfig> axes;
   std::vector<SpindleConfig> spindles;

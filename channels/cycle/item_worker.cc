@@ -61,9 +61,15 @@ struct ItemWorker::Execution {
   CycleParts& parts;
   const motion::BlockTag& tag;
 
-  void operator()(const LoadDone& load) const RT_SAFE { worker.loads_.take(load); }
+  void operator()(const LoadDone& load) const RT_SAFE {
+    worker.loads_.take(load);
+    if (!parts.constants.first_run || !load.succeeded || load.number == 0) return;
+    parts.switches.set_first_part(worker.loads_.has_run_before() ? Switch::off : Switch::on);
+  }
   void operator()(const RunEnd& end) const RT_SAFE {
     worker.end_run(RunResult::succeeded, end.blocks);
+    worker.loads_.note_end();
+    if (parts.constants.first_run) parts.switches.set_first_part(Switch::off);
     worker.rest(end.rest);
     if (end.is_restart)
       parts.log.tell("W2099", "M99 in the main program ends the simulated run", tag);

@@ -1,5 +1,7 @@
 #include "channels/cycle/load_desk.h"
 
+#include <algorithm>
+
 namespace stanok::channels {
 
 void LoadDesk::begin(const ShortText& text, Job job) RT_SAFE {
@@ -20,7 +22,17 @@ void LoadDesk::take(const LoadDone& load) RT_SAFE {
   text_ = load.text;
   if (!load.succeeded || job_ != Job::program) return;
   program_ = load.number;
+  digest_ = load.digest;
   run_.apply(Change::loaded);
+}
+
+void LoadDesk::note_end() RT_SAFE {
+  if (!has_run_before()) ended_[ended_count_++ % ended_max] = digest_;
+}
+
+bool LoadDesk::has_run_before() const RT_SAFE {
+  const auto end = ended_.begin() + std::min(ended_count_, ended_max);
+  return std::find(ended_.begin(), end, digest_) != end;
 }
 
 void LoadDesk::end() RT_SAFE {

@@ -5,6 +5,10 @@
 // until the preparation's LoadDone, or a reset.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include "base/rt_safe.h"
 #include "channels/cycle/channel_terms.h"
 #include "channels/cycle/run_control.h"
@@ -30,7 +34,13 @@ class LoadDesk {
   // The load of the program that is there; 0: none.
   [[nodiscard]] std::int32_t program() const RT_SAFE { return program_; }
 
+  // It has run to its end, and did so before with the same texts: of the newest programs.
+  void note_end() RT_SAFE;
+  [[nodiscard]] bool has_run_before() const RT_SAFE;
+
  private:
+  static constexpr std::size_t ended_max = 64;
+
   RunControl& run_;
   ChannelLink& link_;
   std::int32_t begun_ = 0;  // loads of programs
@@ -38,6 +48,9 @@ class LoadDesk {
   Job job_ = Job::program;
   Outcome outcome_ = Outcome::succeeded;
   ShortText text_;
+  std::uint64_t digest_ = 0;  // of the program that is there
+  std::array<std::uint64_t, ended_max> ended_{};
+  std::size_t ended_count_ = 0;  // ever
 };
 
 }  // namespace stanok::channels

@@ -62,6 +62,7 @@ ChannelConstants channel_constants(const MachineConfig& machine, const ChannelCo
     constants.retrace_bytes = static_cast<std::size_t>(machine.retrace_memory_mb) << 20;
   constants.probe_input = channel.probe_input;
   constants.stops_go_on = options.stops_go_on;
+  constants.first_run = machine.first_run && !options.stops_go_on;
   for (std::size_t k = 0; k < channel.axes.size(); ++k) {
     const AxisConfig& axis = machine.axes[channel.axes[k]];
     const bool homed_at_start = options.on_at_start || axis.homing.order == 0;

@@ -22,6 +22,7 @@ struct LoadDone {
   bool succeeded = false;
   std::int32_t number = 0;  // of the load of a program; 0: of none
   ShortText text{};         // the name of what was loaded, or why it was not
+  std::uint64_t digest = 0;  // of the texts of the program
 };
 
 // How the channel stands where nothing runs any more: the transform in which the programmed point

@@ -1,6 +1,10 @@
 #include "channels/preparation/program_shelf.h"
 
+#include <functional>
+#include <string_view>
 #include <utility>
+
+#include "lang/program/program.h"
 
 namespace stanok::channels {
 namespace {
@@ -16,8 +20,16 @@ std::string first_error(const Diagnostics& diagnostics) {
   return "";
 }
 
+// With that of the subprograms, so that a change of any of them makes it another one.
+std::uint64_t digest_of(const lang::Program& program) {
+  std::uint64_t digest = 0;
+  for (const auto& file : program.files)
+    digest = 31 * digest + std::hash<std::string_view>{}(file->source.text());
+  return digest;
+}
+
 LoadDone loaded(const std::string& name) {
-  return {.succeeded = true, .number = 0, .text = ShortText(name)};
+  return {.succeeded = true, .text = ShortText(name)};
 }
 
 }  // namespace
@@ -51,6 +63,7 @@ LoadDone ProgramShelf::load(const std::string& name, std::int32_t number) {
   if (compiled) newest_ = {number, *compiled, name};
   LoadDone end = done(name, compiled, std::move(diagnostics));
   end.number = number;
+  if (compiled) end.digest = digest_of(**compiled);
   return end;
 }
 

@@ -119,6 +119,7 @@ class MachineReader {
     file_.machine.catch_up_max = section.catch_up_max;
     file_.machine.request_age_max_s = section.request_age_max_s;
     file_.machine.retrace_memory_mb = section.retrace_memory_mb;
+    file_.machine.first_run = section.first_run;
     set_stop_limits(section.stop_limits);
     file_.machine.tables_write_protected = section.tables_write_protected;
     file_.machine.program_bounds = {

@@ -18,6 +18,7 @@ struct MachineSection {
   double stop_time_max_s = 0.0;
   double request_age_max_s = 0.5;
   int retrace_memory_mb = 64;
+  bool first_run = false;
   std::string tables;  // file name; empty: none
   bool tables_write_protected = false;
   int program_size_max_mb = 256;

@@ -249,6 +249,38 @@ TEST(FirstPart, RapidTraverseKeepsToAQuarter) {
   EXPECT_NEAR(fastest(1, 100.0)[1], 100.0, 1e-6);
 }
 
+// [machine] first_run: until a program has run to its end; a subprogram belongs to its text.
+TEST(FirstPart, IsTheFirstRunOfEachText) {
+  MachineConfig machine = testing::two_channel_machine();
+  machine.first_run = true;
+  MachineBench bench(machine, {.on_at_start = true, .stops_go_on = false});
+  const auto fastest = [&](const char* name, int reset_after = 0) {
+    bench.run(1, name);
+    double speed = 0.0;
+    int cycles = 0;
+    bench.run_to_end([&](const CycleOutput& output) {
+      if (++cycles == reset_after) bench.ask(OperatorAction::program_reset, 1);
+      speed = std::max(speed, output.channels[0].path_speed);
+    });
+    bench.ask(OperatorAction::mdi, 1, "G0 X0");
+    bench.run_to_end();
+    return speed;
+  };
+  bench.program("sub.nc", "const num far = 100;\n");
+  bench.program("a.nc", "#include \"sub.nc\"\nG0 X200\nM30\n");
+  bench.program("b.nc", "G0 X150\nM30\n");
+  EXPECT_NEAR(fastest("a.nc", 500), 62.5, 1e-6) << "a reset is no end";
+  EXPECT_NEAR(fastest("a.nc"), 62.5, 1e-6);
+  EXPECT_NEAR(fastest("a.nc"), 250.0, 1e-6);
+  EXPECT_NEAR(fastest("b.nc"), 62.5, 1e-6);
+  EXPECT_NEAR(fastest("a.nc"), 250.0, 1e-6);
+  EXPECT_NEAR(fastest("b.nc"), 250.0, 1e-6);
+  bench.program("b.nc", "G0 X151\nM30\n");
+  EXPECT_NEAR(fastest("b.nc"), 62.5, 1e-6);
+  bench.program("sub.nc", "const num far = 101;\n");
+  EXPECT_NEAR(fastest("a.nc"), 62.5, 1e-6);
+}
+
 class Refusals : public ::testing::Test {
  protected:
   std::string code_of(const OperatorCommand& command) {
