@@ -32,9 +32,10 @@ std::optional<Verdict> obstacle_to_length(Channel& channel, int tool, int edge) 
   if (motion.retracing().is_on())
     return refusal("E6097", "the axes are on the way back along the path: return first");
   if (leads_point_of(channel, tool, edge))
-    return refusal("E6101",
-                   "the held program leads the point of this tool by rotary axes: its length cannot "
-                   "change in the hold");
+    return refusal(
+        "E6101",
+        "the held program leads the point of this tool by rotary axes: its length cannot "
+        "change in the hold");
   if (motion.aside().is_full()) return refusal("E6100", "the way back has too many parts");
   if (channel.motion.lengths().is_full() || channel.link.lengths.space() == 0)
     return refusal("E6101", "too many lengths were changed in this run");

@@ -58,7 +58,8 @@ ChannelConstants channel_constants(const MachineConfig& machine, const ChannelCo
   constants.axis_count = static_cast<int>(channel.axes.size());
   constants.cycle_s = machine.cycle_us * 1e-6;
   constants.stop_cycles_max = stop_cycles_max(machine, channel);
-  if (!channel.axes.empty())
+  // Nobody goes back where nobody holds a program.
+  if (!channel.axes.empty() && !options.stops_go_on)
     constants.retrace_bytes = static_cast<std::size_t>(machine.retrace_memory_mb) << 20;
   constants.probe_input = channel.probe_input;
   constants.stops_go_on = options.stops_go_on;

@@ -20,8 +20,8 @@ namespace stanok::channels {
 // A program or a line was compiled, or a block found.
 struct LoadDone {
   bool succeeded = false;
-  std::int32_t number = 0;  // of the load of a program; 0: of none
-  ShortText text{};         // the name of what was loaded, or why it was not
+  std::int32_t number = 0;   // of the load of a program; 0: of none
+  ShortText text{};          // the name of what was loaded, or why it was not
   std::uint64_t digest = 0;  // of the texts of the program
 };
 

@@ -181,15 +181,13 @@ const LengthCase head_of_lengths{.name = "five_axes",
                                  .coordinates = "XYZBC",
                                  .keys = {{"length", 2}, {"wear_length", 2}},
                                  .jogged = {"Z", "B", "C"}};
-const LengthCase lathe_of_lengths{.name = "lathe",
-                                  .machine = testing::turning_machine,
-                                  .head = "T1\nG43 H1\nM3 S1000\n",
-                                  .coordinates = "XZ",
-                                  .keys = {{"length", 1},
-                                           {"length_x", 0},
-                                           {"wear_length", 1},
-                                           {"wear_length_x", 0}},
-                                  .jogged = {"X", "Z", "X"}};
+const LengthCase lathe_of_lengths{
+    .name = "lathe",
+    .machine = testing::turning_machine,
+    .head = "T1\nG43 H1\nM3 S1000\n",
+    .coordinates = "XZ",
+    .keys = {{"length", 1}, {"length_x", 0}, {"wear_length", 1}, {"wear_length_x", 0}},
+    .jogged = {"X", "Z", "X"}};
 
 INSTANTIATE_TEST_SUITE_P(All, NewLength,
                          ::testing::Values(mill_of_lengths, head_of_lengths, lathe_of_lengths),
