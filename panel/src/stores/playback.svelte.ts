@@ -38,6 +38,8 @@ class Playback {
   readonly track = new Track();
   #times: number[] = [];
   #stopTicking: (() => void) | null = null;
+  #opened = 0;
+  #opening: Promise<unknown> = Promise.resolve();
 
   readonly index = $derived(
     this.points > 0 ? Math.max(0, indexAt(this.#times, this.time_s * 1000)) : 0,
@@ -53,15 +55,28 @@ class Playback {
     return [points[at] ?? 0, points[at + 1] ?? 0, points[at + 2] ?? 0];
   }
 
+  /** Opens a log. The one that was opened last is shown: others give up at their next page, and are waited for,
+   *  since their frames do not say of which log they are. */
   async open(file: string, channel: number, verdict: Verdict | null): Promise<void> {
     this.close();
+    const mine = ++this.#opened;
+    const before = this.#opening;
+    const opening = before.then(() => this.#read(mine, file, channel, verdict));
+    this.#opening = opening.catch(() => undefined);
+    await opening;
+  }
+
+  async #read(mine: number, file: string, channel: number, verdict: Verdict | null): Promise<void> {
     const frames = new PageFrames(loggedKind);
     const stop = frames.listen();
     let first = 0;
     try {
       for (let page = 0, pages = 1; page < pages; ++page) {
+        if (mine !== this.#opened) return;
         const answer = await store.call('history.path', { file, channel, page, system: 'part' });
-        this.#append(await frames.next(page), (answer.geometry as Geometry).lines);
+        const points = await frames.next(page);
+        if (mine !== this.#opened) return;
+        this.#append(points, (answer.geometry as Geometry).lines);
         ({ pages, time_s: this.length_s, left_out_s: this.leftOut_s, first_cycle: first } = answer);
       }
     } finally {
@@ -77,6 +92,7 @@ class Playback {
   }
 
   close(): void {
+    ++this.#opened;
     this.play(0);
     this.file = '';
     this.points = 0;
