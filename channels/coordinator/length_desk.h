@@ -24,11 +24,14 @@ class LengthDesk {
   LengthDesk(const ChannelTable& channels, const MachineStores& stores)
       : channels_(channels), stores_(stores) {}
 
-  // Why a held channel cannot take another length of this tool now.
-  [[nodiscard]] std::optional<Verdict> refusal_in_hold(int tool, int edge) const RT_SAFE;
-  // The next write of the tables changes a length so, and nothing refuses it: who sees the write
-  // finds the change.
-  void change(int tool, int edge, int axis, double by_mm) const RT_SAFE;
+  // The change of a length of a tool along X, Y or Z (0, 1, 2) by the next write of the tables.
+  [[nodiscard]] kinematics::LengthChange next(int tool, int edge, int axis, double by_mm) const
+      RT_SAFE;
+  // Why a held channel cannot take it now.
+  [[nodiscard]] std::optional<Verdict> refusal_in_hold(const kinematics::LengthChange& change) const
+      RT_SAFE;
+  // It is written now, and nothing refuses it: who sees the write finds the change.
+  void apply(const kinematics::LengthChange& change) const RT_SAFE;
 
  private:
   const ChannelTable& channels_;

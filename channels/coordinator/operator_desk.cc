@@ -312,19 +312,21 @@ std::optional<Verdict> OperatorDesk::refusal_in_run(std::optional<double> now, d
 
 // A length counts at once in held channels; where others run as well it is bounded as in a run.
 std::optional<Verdict> OperatorDesk::refusal_of_tool(const commands::ToolSet& command,
-                                                     ToolValue value) const RT_SAFE {
-  bool all_are_held = axis_of_length(value) >= 0;
+                                                     ToolValue value, double by) const RT_SAFE {
+  const int along = axis_of_length(value);
+  bool all_are_held = along >= 0;
   for (int k = 0; k < channels_.count(); ++k) {
     const RunState& state = channels_[k].state();
     all_are_held = all_are_held && (!state.is_running() || state.is_held());
   }
-  const auto now = stores_.tables->tool_value(command.tool, command.edge, static_cast<int>(value));
   if (!all_are_held) {
+    const auto now =
+        stores_.tables->tool_value(command.tool, command.edge, static_cast<int>(value));
     if (auto refused = refusal_in_run(is_wear(value) ? now : std::nullopt, command.value, "mm"))
       return refused;
   }
-  if (axis_of_length(value) < 0) return std::nullopt;
-  return lengths_.refusal_in_hold(command.tool, command.edge);
+  if (along < 0) return std::nullopt;
+  return lengths_.refusal_in_hold(lengths_.next(command.tool, command.edge, along, by));
 }
 
 Verdict OperatorDesk::set_tool(const commands::ToolSet& command) RT_SAFE {
@@ -337,10 +339,11 @@ Verdict OperatorDesk::set_tool(const commands::ToolSet& command) RT_SAFE {
     return refusal("E5021", "there is no such tool, edge or value");
   if (wanted.tool == 0 || !can_be(value, wanted.value))
     return refusal("E5020", "the value is out of range");
-  if (const auto refused = refusal_of_tool(wanted, value)) return *refused;
-  const double now = tables.tool_value(wanted.tool, wanted.edge, number).value_or(0.0);
-  if (const int axis = axis_of_length(value); axis >= 0)
-    lengths_.change(wanted.tool, wanted.edge, axis, wanted.value - now);
+  const double by =
+      wanted.value - tables.tool_value(wanted.tool, wanted.edge, number).value_or(0.0);
+  if (const auto refused = refusal_of_tool(wanted, value, by)) return *refused;
+  if (const int along = axis_of_length(value); along >= 0)
+    lengths_.apply(lengths_.next(wanted.tool, wanted.edge, along, by));
   if (!tables.set_tool_value(wanted.tool, wanted.edge, number, wanted.value, Writer::person))
     return refusal("E5020", "the value is out of range");
   settle({.tool = wanted.tool, .edge = wanted.edge});

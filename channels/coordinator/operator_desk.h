@@ -34,7 +34,7 @@ class OperatorDesk {
   [[nodiscard]] std::optional<Verdict> refusal_in_run(std::optional<double> now, double to,
                                                       std::string_view unit) const RT_SAFE;
   [[nodiscard]] std::optional<Verdict> refusal_of_tool(const commands::ToolSet& command,
-                                                       ToolValue value) const RT_SAFE;
+                                                       ToolValue value, double by) const RT_SAFE;
   [[nodiscard]] Verdict set_tool(const commands::ToolSet& command) RT_SAFE;
   [[nodiscard]] Verdict set_offset(const commands::OffsetSet& command) RT_SAFE;
   [[nodiscard]] Verdict touch(const Channel& channel, const commands::OffsetTouch& command) RT_SAFE;

@@ -346,6 +346,13 @@ TEST_F(PreparedBefore, OtherValuesChangeAsInARun) {
   EXPECT_FALSE(bench.channel(1).aside);
 }
 
+TEST_F(PreparedBefore, TheAxesKeepTheirTravel) {
+  hold_in("G43 H1\nG1 Z1 F3000\nX50\nM30\n", 1500);
+  EXPECT_EQ(set(1, "length", 499.0), "");
+  EXPECT_EQ(set(1, "length", 501.0), "E6053");
+  EXPECT_EQ(set(1, "length", 52.0), "");
+}
+
 TEST_F(PreparedBefore, WhileTheAxesComeToRestNoLengthChanges) {
   ASSERT_EQ(set(1, "length", 50.0), "");
   bench.program("p.nc", "G43 H1\nG1 Z1 F6000\nX200\nM30\n");
