@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -79,6 +81,61 @@ TEST_F(DriveFaults, AValueThatIsNoNumberIsNoAnswer) {
     for (const AxisSetpoint& axis : channel.axes) ASSERT_TRUE(std::isfinite(axis.position));
   }
 }
+
+// In a hold: on the way aside, on the way back to the path, and on the way back along it.
+class DriveFaultsInHold : public DriveFaults, public ::testing::WithParamInterface<int> {
+ protected:
+  void ask(const OperatorCommand& command) {
+    OperatorEvent event;
+    event.channel = 1;
+    event.command = command;
+    bench.ask(event);
+  }
+  void cycles(int count) {
+    for (int n = 0; n < count; ++n) bench.cycle();
+  }
+  void begin_move(int which) {
+    const commands::Jog jog{.axis = ShortText("Z"), .velocity = 50.0, .increment = 20.0};
+    if (which < 2) ask(jog);
+    if (which == 1) {
+      cycles(2000);
+      ask(commands::ProgramReturn{.velocity = 50.0});
+    }
+    if (which == 2)
+      ask(commands::ProgramRetrace{.direction = RetraceDirection::back, .length = 10.0});
+    cycles(100);
+  }
+};
+
+TEST_P(DriveFaultsInHold, StopTheAxesAndEndTheRun) {
+  ask(commands::ProgramHold{});
+  cycles(400);
+  ASSERT_EQ(bench.channel(1).state, ChannelState::held);
+  begin_move(GetParam());
+  ASSERT_TRUE(bench.channel(1).moving);
+  ASSERT_TRUE(bench.channel(1).aside);
+  drives[1].fault = true;
+  EXPECT_EQ(alarm(), "A3002 the drive of axis " + axes[1].name + " reports a fault");
+  std::array<double, 3> before{};
+  double fastest = 0.0;
+  for (int n = 0; n < 1000; ++n) {
+    bench.cycle();
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const double now = bench.channel(1).axes[k].position;
+      if (n > 0) fastest = std::max(fastest, std::abs(now - before[k]));
+      before[k] = now;
+    }
+  }
+  EXPECT_LT(fastest, 0.11) << "no axis jumps: 100 mm/s at most";
+  EXPECT_FALSE(bench.channel(1).moving);
+  EXPECT_FALSE(bench.channel(1).running);
+  EXPECT_FALSE(bench.channel(1).aside);
+  EXPECT_EQ(bench.channel(1).state, ChannelState::alarm);
+  for (std::size_t k = 0; k < before.size(); ++k)
+    EXPECT_FALSE(bench.channel(1).drives[k].enabled) << k;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfMoves, DriveFaultsInHold, ::testing::Values(0, 1, 2));
 
 }  // namespace
 }  // namespace stanok::channels
