@@ -55,9 +55,11 @@ async function openClient(socket) {
   let greet;
   const hello = new Promise((resolve, reject) => {
     greet = resolve;
-    stream.once('error', reject);
+    stream.on('error', reject);
   });
-  createInterface({ input: stream }).on('line', (line) => {
+  // The interface tells errors of its stream again, for example that nobody listens yet.
+  const lines = createInterface({ input: stream }).on('error', () => undefined);
+  lines.on('line', (line) => {
     const message = JSON.parse(line);
     if (message.method === 'hello') greet(message.params);
     const one = waiting.get(message.id);
