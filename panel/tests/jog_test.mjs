@@ -446,6 +446,41 @@ test('in a held program the axes are moved away and come back', async () => {
   await other.context().close();
 });
 
+test('in a hold a new length counts at once, and the axes are led to it', async () => {
+  await stage.client.call('tool.set', { number: 1, key: 'length', value: 50 });
+  writeFileSync(join(stage.programs, 'cut.nc'), 'G43 H1\nG91 G1 X200 F600\nM30\n');
+  await stage.client.call('program.run', { program: 'cut.nc', channel: 1 });
+  await until('it cuts', async () => (await stage.status()).speed_mm_s > 5);
+  const other = await stage.openMachine();
+  const card = other.getByRole('article', { name: '1 work' });
+  await card.getByRole('button', { name: 'Hold', exact: true }).click();
+  await until('it is held', async () => {
+    const { held_by: by, speed_mm_s: speed } = await stage.status();
+    return by !== null && speed === 0;
+  });
+  const [x, z] = [await at('X'), await at('Z')];
+  const home = await other.evaluate(() => location.hash);
+  await other.evaluate(() => (location.hash = '#/tools'));
+  const cell = other.getByLabel('T1.1 length', { exact: true });
+  await cell.fill('52.5');
+  await cell.press('Enter');
+  await until('the length counts', async () => (await stage.status()).aside);
+  await other.evaluate((hash) => (location.hash = hash), home);
+  await card.getByText('The axes are not where').waitFor();
+  assert.deepEqual([await at('X'), await at('Z')], [x, z]);
+  const resume = card.getByRole('button', { name: 'Resume' });
+  await clickUntil('it is back', card.getByRole('button', { name: 'Return to path' }), () =>
+    resume.isVisible(),
+  );
+  assert.ok(Math.abs((await at('Z')) - (z + 2.5)) < 1e-6);
+  assert.equal(await at('X'), x);
+  await clickUntil('it cuts on', resume, async () => (await at()) > x);
+  assert.ok(Math.abs((await at('Z')) - (z + 2.5)) < 1e-6);
+  await card.getByRole('button', { name: 'Stop', exact: true }).click();
+  await until('it is over', async () => (await stage.client.call('machine.status')).idle);
+  await other.context().close();
+});
+
 test('a killed tab stops', async (context) => {
   const other = await stage.openMachine();
   await other.getByRole('button', { name: 'Arm' }).click();
