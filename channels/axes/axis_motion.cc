@@ -102,6 +102,9 @@ PathStart AxisMotion::go_on_in(const kinematics::Transform& frame, const motion:
   if (lengths_.is_empty()) return PathStart::at_axes;
   motion::Point start{};
   kinematics::inverse(kinematics::with_changes(frame_, lengths_), start_W, start);
+  for (int axis = 0; axis < axes_.count(); ++axis) {
+    if (axes_.is_spindle(axis)) start[axis] = path_.axes[axis].value;  // it turns
+  }
   if (!are_apart(axes_M(), start, frame_)) return PathStart::at_axes;
   interpolator_.stand_at(start, frame_);
   leave_path();

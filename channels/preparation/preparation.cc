@@ -158,7 +158,7 @@ void Preparation::obey(const RequestAnswer& notice) {
   if (task_ != Task::waiting_answer) return;
   parts_.interpreter.follow_lengths();
   BlockPreparation& blocks = parts_.feed.blocks();
-  if (blocks.take_lengths()) parts_.feed.give_transform();
+  const bool is_changed = blocks.take_lengths();
   const ChannelAnswer& told = notice.answer;
   lang::Answer answer;
   answer.ok = told.ok;
@@ -175,10 +175,8 @@ void Preparation::obey(const RequestAnswer& notice) {
     axes_change_ = false;
   }
   answer.probe_B = blocks.base_of(told.probe_M);
-  if (told.left_path) {
-    blocks.stand_at(notice.axes_M);
-    parts_.feed.give_transform();
-  }
+  if (told.left_path) blocks.stand_at(notice.axes_M);
+  if (told.left_path || is_changed) parts_.feed.give_transform();
   answer.position_B = blocks.position_B();
   answer.position_valid = true;
   task_ = Task::running;

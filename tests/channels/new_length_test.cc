@@ -346,6 +346,36 @@ TEST_F(PreparedBefore, OtherValuesChangeAsInARun) {
   EXPECT_FALSE(bench.channel(1).aside);
 }
 
+class Probed : public PreparedBefore {
+ protected:
+  static MachineConfig machine() {
+    MachineConfig config = testing::two_channel_machine();
+    config.channels[0].probe_input = 7;
+    return config;
+  }
+  Probed() : PreparedBefore(machine()) {}
+};
+
+// The axes stand where the probe changed, and not at the end of the way that was programmed.
+TEST_F(Probed, AContactBehindTheChangeIsWhereTheAxesStand) {
+  hold_in("G43 H1\nG1 Z1 F3000\nX50\nG38.3 Z-20 F600\nG91 G1 Z5 F600\nM30\n");
+  EXPECT_EQ(set(1, "length", 52.5), "");
+  EXPECT_EQ(code_of(commands::ProgramReturn{}), "");
+  bench.ask(OperatorAction::program_start, 1);
+  Signals signals;
+  double stands_at = 0.0;
+  for (int n = 0; n < 60000 && bench.channel(1).running; ++n) {
+    const double z_M = bench.cycle().channels[0].axes[2].position;
+    signals.set(7, bench.channel(1).tag.line == 4 && z_M < 45.0);
+    bench.inputs(signals);
+    if (bench.channel(1).tag.line == 4) stands_at = z_M;
+    ASSERT_NE(bench.channel(1).hold_cause, HoldCause::changed_length);
+  }
+  EXPECT_FALSE(bench.channel(1).running);
+  EXPECT_GT(stands_at, 30.0) << "it did not reach the end of its way";
+  EXPECT_NEAR(bench.channel(1).axes[2].position, stands_at + 5.0, 1e-6);
+}
+
 TEST_F(PreparedBefore, TheAxesKeepTheirTravel) {
   hold_in("G43 H1\nG1 Z1 F3000\nX50\nM30\n", 1500);
   EXPECT_EQ(set(1, "length", 499.0), "");
