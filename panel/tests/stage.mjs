@@ -25,12 +25,15 @@ export const full = process.env.STANOK_FULL === '1';
 export const password = 'a long password';
 
 /** Asks `condition` until it is true; never trusts a time, except for giving up. */
-export async function until(what, condition, limit_s = 120) {
+export async function until(what, condition, { limit_s = 120, shown } = {}) {
   const end = Date.now() + limit_s * 1000;
   for (;;) {
     const value = await condition();
     if (value) return value;
-    if (Date.now() > end) throw new Error(`waited ${limit_s} s in vain for: ${what}`);
+    if (Date.now() > end) {
+      const seen = shown ? `\n${JSON.stringify(await shown())}` : '';
+      throw new Error(`waited ${limit_s} s in vain for: ${what}${seen}`);
+    }
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
 }
