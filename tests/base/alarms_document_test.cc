@@ -22,7 +22,7 @@ constexpr std::string_view introduction =
     R"(# Codes of errors, warnings and alarms
 
 Made from [base/catalogue.cc](../../base/catalogue.cc) and
-[base/catalogue_language.h](../../base/catalogue_language.h). `stanok explain CODE` prints one row.
+[base/catalogue_rows](../../base/catalogue_rows). `stanok explain CODE` prints one row.
 E: error of a program or command. W: warning. A: alarm of the machine. U1000 to U9999: `terminate`
 in a program, with its own text. A code never changes its meaning.
 

@@ -27,7 +27,7 @@ void limit_spindle_speed(ActiveBlock& block, CodeNumber code) {
 }
 
 """),
-    after("base/catalogue_language.h", """
+    after("base/catalogue_rows/language.h", """
       {"E4057", "M902 names a spindle that cannot become an axis", end,
        "name another spindle with H1=, or give it an axis in the machine file",
        "correct the program and start it again"},
