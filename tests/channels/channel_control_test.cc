@@ -41,6 +41,7 @@ class ChannelControlOfPrograms : public ::testing::TestWithParam<const char*> {
 };
 
 TEST_P(ChannelControlOfPrograms, AreKeptFromAChannelThatAnotherHas) {
+  bench.may_refuse();
   bench.ask(OperatorAction::program_load, 1, "work.nc");
   give(1, ours);
   run_master();

@@ -141,8 +141,10 @@ TEST_F(ChannelFunctionsTest, WaitAfterAResetIsTrueAndDuringItFalse) {
 TEST_F(ChannelFunctionsTest, OwnChannelAndUnknownChannelsAreErrors) {
   run_master("num target = 2;\nif (channel_wait (target)) { M0\n }\nM30\n");
   EXPECT_THAT(bench.alarm_codes(), ElementsAre("E6031"));
+  bench.ask(OperatorAction::program_reset, 2);
+  bench.run_to_end();
   run_master("num target = 7;\nif (channel_wait (target)) { M0\n }\nM30\n");
-  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E6031"));
+  EXPECT_THAT(bench.alarm_codes(), ElementsAre("E6031", "E6001"));
 }
 
 // What becomes of a run whose owner fails, and of one whose owner ends well.

@@ -35,6 +35,7 @@ std::vector<Cut> cut(const std::string& program, double spindle_acceleration = 0
       cuts.push_back({-channel.point_W[1].value, channel.process, channel.point_W[0].value});
   });
   EXPECT_THAT(bench.alarm_codes(), IsEmpty());
+  EXPECT_FALSE(cuts.empty());
   return cuts;
 }
 
@@ -150,7 +151,7 @@ TEST(FeedLawRun, InterruptedFeedStands) {
 
 TEST(FeedLawRun, CurveOfArrays) {
   const auto cuts =
-      cut("double ways[3] = {0, 4, 10};\ndouble feeds[3] = {60, 100, 80};\nG0 X60 Z0\nG94\n"
+      cut("num ways[3] = {0, 4, 10};\nnum feeds[3] = {60, 100, 80};\nG0 X60 Z0\nG94 G61\n"
           "#feedlaw (curve, ways, feeds)\nG1 Z-12\nM30\n");
   for (const Cut& one : cuts) {
     const double wanted = one.way < 4.0    ? 60.0 + 10.0 * one.way

@@ -126,6 +126,7 @@ TEST_F(MarksTest, PartnerNotYetStartedIsAwaited) {
 
 TEST_F(MarksTest, MarkOutsideItsRangeIsFoundAtLoad) {
   run({"mark_set (200);\nM30\n"});
+  bench->may_refuse();
   EXPECT_THAT(bench->machine().load_diagnostics().at(0).diagnostic.code, "E6023");
 }
 

@@ -241,6 +241,7 @@ class StopTest : public ::testing::Test {
 };
 
 TEST_F(StopTest, NothingThatIsAskedOnTheWayToRestBeginsBehindIt) {
+  bench.may_refuse();
   for (const auto next :
        {OperatorAction::program_hold, OperatorAction::program_resume, OperatorAction::program_start,
         OperatorAction::program_run, OperatorAction::mdi}) {
@@ -252,6 +253,7 @@ TEST_F(StopTest, NothingThatIsAskedOnTheWayToRestBeginsBehindIt) {
 }
 
 TEST_F(StopTest, AHoldAndAResumeDoNotUndoAReset) {
+  bench.may_refuse();
   begin("G1 X200 F12000\nX0\nM30\n");
   bench.ask(OperatorAction::program_reset, 1);
   bench.cycle();

@@ -211,6 +211,12 @@ const channels::CycleOutput& MachineBench::cycle() {
   return output_;
 }
 
+MachineBench::~MachineBench() {
+  if (are_replies_seen_) return;
+  for (const channels::OperatorReply& reply : replies_)
+    EXPECT_TRUE(reply.ok) << reply.code.view() << " " << reply.text.view();
+}
+
 void MachineBench::run_to_end(const std::function<void(const channels::CycleOutput&)>& watch,
                               int cycles_max) {
   for (int n = 0; n < cycles_max; ++n) {

@@ -49,6 +49,9 @@ class MachineBench {
   explicit MachineBench(channels::MachineConfig config = two_channel_machine(),
                         const channels::MachineOptions& options = {.on_at_start = true,
                                                                    .stops_go_on = true});
+  ~MachineBench();
+  MachineBench(const MachineBench&) = delete;
+  MachineBench& operator=(const MachineBench&) = delete;
 
   void program(const std::string& name, const std::string& text) { files_.texts[name] = text; }
 
@@ -81,7 +84,13 @@ class MachineBench {
   [[nodiscard]] const channels::CycleOutput& output() const { return output_; }
   [[nodiscard]] const channels::ChannelOutput& channel(int id) const;
   [[nodiscard]] std::vector<std::string> alarm_codes() const;
-  [[nodiscard]] const std::vector<channels::OperatorReply>& replies() const { return replies_; }
+  // Where nobody looks at them none may be a refusal, but for a test that says so: a test of a
+  // program that was not loaded tests nothing.
+  [[nodiscard]] const std::vector<channels::OperatorReply>& replies() const {
+    are_replies_seen_ = true;
+    return replies_;
+  }
+  void may_refuse() { are_replies_seen_ = true; }
   // Codes of all events so far.
   [[nodiscard]] const std::vector<std::string>& event_codes() const { return event_codes_; }
 
@@ -92,6 +101,7 @@ class MachineBench {
   channels::CycleOutput output_;
   std::vector<channels::OperatorEvent> events_;
   std::vector<channels::OperatorReply> replies_;
+  mutable bool are_replies_seen_ = false;
   std::vector<std::string> event_codes_;
   std::vector<channels::AxisFeedback> feedback_;
   std::vector<channels::SpindleSensors> sensors_;
