@@ -49,6 +49,7 @@ export default defineConfig({
   base: './',
   build: {
     target: 'es2022',
+    minify: 'terser',
     outDir: 'dist',
     emptyOutDir: true,
     // One style sheet: compressed, the small ones of the views take more.
