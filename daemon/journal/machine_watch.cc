@@ -51,7 +51,9 @@ bool MachineWatch::has_news(double now) {
   return true;
 }
 
-// The alarm that ended a run may be told right behind its end: what ended is looked at once more.
+// The cycle begins a run, and the preparation names it behind that: its begin is told again then, the
+// newer record counts. The alarm that ended a run may be told right behind its end: what ended is
+// looked at once more.
 void MachineWatch::look_at_runs(const std::vector<RunReport>& runs, Records& records) {
   for (const RunReport& run : runs) {
     Known& known = known_[run.channel];
@@ -59,7 +61,11 @@ void MachineWatch::look_at_runs(const std::vector<RunReport>& runs, Records& rec
       known.begun = run.number;
       known.place = {};
       records.push_back(run_begun_record(run));
+    } else if (run.number == known.begun && known.named < run.number && !run.program.empty()) {
+      records.push_back(run_begun_record(run));
     }
+    if (!run.program.empty()) known.named = std::max(known.named, run.number);
+    if (known.named < known.begun && !run.ended) looks_again_ = true;
     if (!run.ended || run.number <= known.ended) continue;
     if (std::exchange(known.seen_ended, run.number) != run.number) {
       looks_again_ = true;

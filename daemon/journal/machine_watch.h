@@ -29,6 +29,7 @@ class MachineWatch {
  private:
   struct Known {
     std::uint64_t begun = 0;  // numbers
+    std::uint64_t named = 0;
     std::uint64_t ended = 0;
     std::uint64_t seen_ended = 0;
     std::uint64_t alarms = 0;

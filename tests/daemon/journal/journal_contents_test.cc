@@ -73,6 +73,20 @@ TEST(JournalContents, ARunThatNobodyHasEndedWasCutOffWhereItWasLast) {
 }
 
 // An alarm that no cycle raised stands until somebody has seen it, over any number of starts.
+// The cycle begins a run before the preparation names it: the begin is told twice.
+TEST(JournalContents, ARunMayBeNamedAfterItHasBegun) {
+  JournalContents contents;
+  RunReport unnamed = run(1, 7);
+  unnamed.program.clear();
+  contents.take(run_begun_record(unnamed));
+  contents.take(place(1, 7, 4, 7003.0));
+  contents.take(run_begun_record(run(1, 7)));
+  const auto cut = contents.cut_off();
+  ASSERT_THAT(cut, SizeIs(1));
+  EXPECT_EQ(cut[0].run.program, "part7.nc");
+  EXPECT_EQ(cut[0].line, 4);
+}
+
 TEST(JournalContents, ANoticeStandsUntilItIsAcknowledgedOnItsChannel) {
   AlarmReport notice = alarm(1, 3, 0);
   notice.diagnostic.code = "W941";
