@@ -64,6 +64,14 @@ void Spindle::turn_back(double factor, double acceleration) RT_SAFE {
   share_ = -factor;
 }
 
+void Spindle::turn_out(double rev_per_min, double acceleration) RT_SAFE {
+  go_on();
+  cutting_speed_ = 0.0;
+  programmed_ = std::abs(rev_per_min);
+  direction_ = rev_per_min < 0.0 ? -1 : 1;
+  acceleration_asked_ = acceleration;
+}
+
 void Spindle::go_on() RT_SAFE {
   acceleration_asked_ = 0.0;
   share_ = 1.0;

@@ -34,6 +34,8 @@ class Spindle {
   // Turns against its direction, `factor` times as fast, with this acceleration in rev/min/s, both
   // as far as it can.
   void turn_back(double factor, double acceleration) RT_SAFE;
+  // Turns at this speed, clockwise > 0, with this acceleration as far as it can.
+  void turn_out(double rev_per_min, double acceleration) RT_SAFE;
   // Turns again as it is commanded.
   void go_on() RT_SAFE;
 
@@ -49,6 +51,8 @@ class Spindle {
   [[nodiscard]] double turns() const RT_SAFE { return turns_; }  // since power-on, signed
   [[nodiscard]] double angle_deg() const RT_SAFE { return angle_deg_; }  // in [0, 360)
   void set_angle(double angle_deg) RT_SAFE;                              // any whole turns
+  // As it is commanded, rev/min, signed, before its override.
+  [[nodiscard]] double commanded() const RT_SAFE { return direction_ * programmed_; }
   [[nodiscard]] bool is_settled() const RT_SAFE { return !wait_at_speed_ || speed_ == target(); }
   [[nodiscard]] double target() const RT_SAFE;  // rev/min, signed: that it comes to
 

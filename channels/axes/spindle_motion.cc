@@ -38,6 +38,11 @@ void obey(Spindle& spindle, const motion::SpindleOrder& order) RT_SAFE {
       return spindle.turn_back(order.factor, seconds_per_minute * order.acceleration);
     case motion::SpindleOrder::Kind::go_on:
       return spindle.go_on();
+    case motion::SpindleOrder::Kind::turn_out:
+      return spindle.turn_out(seconds_per_minute * order.speed,
+                              seconds_per_minute * order.acceleration);
+    case motion::SpindleOrder::Kind::stop:
+      return spindle.stop();
   }
 }
 

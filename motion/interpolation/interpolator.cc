@@ -26,6 +26,13 @@ bool follows_spindle(const PathQueue& queue, const FeedControl& control) RT_SAFE
   return planned <= 0.0 || planned == control.spindle_rev_per_min;
 }
 
+TapOnPath tap_on(const SpindleCoupling& coupling, const SynchronousRun& run) RT_SAFE {
+  if (coupling.kind == SpindleCoupling::Kind::thread) return {};
+  return {.place = run.is_in_hole() ? TapOnPath::Place::in_hole : TapOnPath::Place::before,
+          .spindle = coupling.spindle,
+          .lead_mm = coupling.lead_mm};
+}
+
 }  // namespace
 
 Interpolator::Interpolator(const MotionConfig& config, PathHistory* history,
@@ -116,6 +123,7 @@ void Interpolator::enter(PathQueue& queue) RT_SAFE {
   plan_.begin();  // not with phases that an override had left, nor at its pace
   if (!is_synchronous()) return;
   synchronous_.begin(cursor_.chunk().coupling, cursor_.chunk().length);
+  motion_ = synchronous_.motion();
   is_on_plan_ = true;
 }
 
@@ -431,6 +439,7 @@ void Interpolator::report(const PathQueue& queue, const FeedControl& control,
   out.at_gate = stands_at_gate(queue, control);
   out.is_led_by_spindle = is_synchronous() && motion_.v != 0.0;
   out.has_lost_spindle = is_synchronous() && synchronous_.is_lost();
+  out.tap = is_synchronous() ? tap_on(cursor_.chunk().coupling, synchronous_) : TapOnPath{};
   if (!cursor_.has_chunk()) return report_standing(control, out);
   const Segment& segment = cursor_.segment(queue);
   out.state = state(queue, control);

@@ -41,6 +41,14 @@ enum class PathState : std::uint8_t {
   standing,  // on an equivalent dwell path, which a feed law or an interruption puts in
 };
 
+// A tap as the path has it.
+struct TapOnPath {
+  enum class Place : std::uint8_t { none, before, in_hole };
+  Place place = Place::none;
+  std::int32_t spindle = 0;  // index in the channel
+  double lead_mm = 0.0;
+};
+
 struct InterpolatorOutput {
   PathState state = PathState::idle;
   BlockTag tag;          // of the current segment, or the last one
@@ -59,8 +67,9 @@ struct InterpolatorOutput {
   std::uint64_t chunks_done = 0;  // chunks finished or dropped since construction
   bool chain_ended =
       false;  // a chain came to its end in this cycle; `cycle_left` of the cycle is unused
-  double cycle_left = 0.0;         // s
-  SpindleOrder spindle_order;      // of a tap, from this cycle on
+  double cycle_left = 0.0;     // s
+  SpindleOrder spindle_order;  // of a tap, from this cycle on
+  TapOnPath tap;
   bool is_led_by_spindle = false;  // the path moves as a spindle turns
   bool has_lost_spindle = false;   // the axes could not follow; the chain will not come to its end
 };

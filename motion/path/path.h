@@ -255,7 +255,8 @@ struct Phase {
 // the thread, its segments are lines and even quintics, it has no phases
 // (motion/threads/synchronous_run.h).
 struct SpindleCoupling {
-  enum class Kind : std::uint8_t { none, thread, tap };
+  // tap_out: a tap that stands in its hole, from there back to s = 0.
+  enum class Kind : std::uint8_t { none, thread, tap, tap_out };
   Kind kind = Kind::none;
   std::int32_t spindle = 0;      // index in the channel
   double start_angle_deg = 0.0;  // of the spindle at s = 0
@@ -273,7 +274,10 @@ struct SpindleCoupling {
   double entry_end = 0.0;
   double exit_begin = 0.0;
   // Tap: the spindle turns back at `bottom`; the path reaches farther, for what a spindle overruns.
+  // tap_out: the path begins there.
   double bottom = 0.0;
+  double lead_mm = 0.0;               // of a tap, along the path
+  double out_speed = 0.0;             // tap_out: of the spindle, turns/s, clockwise > 0
   double spindle_acceleration = 0.0;  // turns/s^2, with which it shall turn back
   double return_speed_factor = 1.0;
   double dwell_s = 0.0;

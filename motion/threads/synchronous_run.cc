@@ -19,7 +19,7 @@ void SynchronousRun::begin(const SpindleCoupling& coupling, double length) RT_SA
   tap_.begin(coupling);
   brake_.begin(coupling, length);
   stage_ = Stage::waits;
-  motion_ = {};
+  motion_ = {.s = tap_.is_taken_out() ? coupling.bottom : 0.0};
   order_ = {};
   has_joined_ = false;
   is_lost_ = false;
@@ -30,7 +30,11 @@ PathMotion SynchronousRun::advance(const SpindleMotion& spindle, const FeedContr
     RT_SAFE {
   order_ = {};
   if (stage_ == Stage::waits) {
-    wait(spindle, control);
+    if (tap_.is_taken_out()) {
+      turn_out(spindle);
+    } else {
+      wait(spindle, control);
+    }
     if (stage_ != Stage::follows) return motion_;
   }
   if (control.leaves_thread) leave(spindle);
@@ -66,6 +70,14 @@ void SynchronousRun::wait(const SpindleMotion& spindle, const FeedControl& contr
       stage_ = Stage::follows;
       break;
   }
+}
+
+// The thread of the hole and the tap that stands in it are what there is of a law.
+void SynchronousRun::turn_out(const SpindleMotion& spindle) RT_SAFE {
+  law_.begin_at(motion_.s, spindle.turns, coupling_.out_speed);
+  has_joined_ = true;
+  limits_ = limits_of(coupling_.chain);
+  stage_ = Stage::follows;
 }
 
 // A tap that leaves its spindle would break: it comes to rest with it.

@@ -32,7 +32,7 @@ class SynchronousRun {
  public:
   explicit SynchronousRun(double cycle_s);
 
-  // The chain begins, at rest at s = 0.
+  // The chain begins, at rest at s = 0, or where a tap stands in its hole.
   void begin(const SpindleCoupling& coupling, double length) RT_SAFE;
 
   // The state at the next setpoint; `spindle` is predicted for its instant. Before the run-in a
@@ -40,6 +40,11 @@ class SynchronousRun {
   // thread at once, a tap together with its spindle.
   PathMotion advance(const SpindleMotion& spindle, const FeedControl& control) RT_SAFE;
 
+  [[nodiscard]] const PathMotion& motion() const RT_SAFE { return motion_; }
+  // A tap has left its start, and is not back there.
+  [[nodiscard]] bool is_in_hole() const RT_SAFE {
+    return tap_.is_tap() && stage_ != Stage::over && motion_.s > 0.0;
+  }
   // At rest at the end; of a tap, where it began.
   [[nodiscard]] bool is_over() const RT_SAFE { return stage_ == Stage::over; }
   // The axes could not follow the spindle: the path comes to rest, the chain is never over.
@@ -51,6 +56,7 @@ class SynchronousRun {
   enum class Stage : std::uint8_t { waits, follows, comes_to_rest, stands, over };
 
   void wait(const SpindleMotion& spindle, const FeedControl& control) RT_SAFE;
+  void turn_out(const SpindleMotion& spindle) RT_SAFE;
   void follow(const kinematics::Jet& course) RT_SAFE;
   void leave(const SpindleMotion& spindle) RT_SAFE;
   void lose() RT_SAFE;

@@ -24,7 +24,7 @@ double turns_to_stop(double speed, double acceleration) RT_SAFE {
 
 void TapReversal::begin(const SpindleCoupling& coupling) RT_SAFE {
   coupling_ = coupling;
-  stage_ = Stage::goes_in;
+  stage_ = is_taken_out() ? Stage::dwells : Stage::goes_in;
   dwell_cycles_ = 0;
 }
 
@@ -49,6 +49,12 @@ SpindleOrder TapReversal::advance(const SpindleMotion& spindle, double place,
   }
   if (stage_ != Stage::dwells || dwell_cycles_-- > 0) return {};
   stage_ = Stage::returns;
+  if (is_taken_out()) {
+    return {.kind = SpindleOrder::Kind::turn_out,
+            .spindle = coupling_.spindle,
+            .speed = coupling_.out_speed,
+            .acceleration = coupling_.spindle_acceleration};
+  }
   return {.kind = SpindleOrder::Kind::turn_back,
           .spindle = coupling_.spindle,
           .factor = coupling_.return_speed_factor,
@@ -64,7 +70,8 @@ SpindleOrder TapReversal::stop_within(double turns) const RT_SAFE {
 }
 
 SpindleOrder TapReversal::go_on() const RT_SAFE {
-  return {.kind = SpindleOrder::Kind::go_on, .spindle = coupling_.spindle};
+  const auto kind = is_taken_out() ? SpindleOrder::Kind::stop : SpindleOrder::Kind::go_on;
+  return {.kind = kind, .spindle = coupling_.spindle};
 }
 
 bool TapReversal::stand(const SpindleMotion& spindle, const PathMotion& path) RT_SAFE {

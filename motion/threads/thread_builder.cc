@@ -245,6 +245,7 @@ std::optional<ThreadFault> ThreadBuilder::add_tap(const ThreadBlock& block) {
   Straight tap = straight(block, end_);
   if (auto fault = fault_of(tap, block.lead_mm)) return fault;
   coupling_.bottom = tap.whole.length;
+  coupling_.lead_mm = block.lead_mm;
   coupling_.spindle_acceleration =
       std::min(coupling_.spindle_acceleration, reversal_mm_per_s2 / block.lead_mm);
   for (const double overrun : overruns) {

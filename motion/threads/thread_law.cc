@@ -11,6 +11,12 @@ void ThreadLaw::begin(const RunInStart& start) RT_SAFE {
   is_in_law_ = false;
 }
 
+void ThreadLaw::begin_at(double place, double turns, double out_speed) RT_SAFE {
+  start_.direction = out_speed > 0.0 ? -1.0 : 1.0;
+  start_.origin = start_.direction * turns - place;
+  is_in_law_ = true;
+}
+
 Jet ThreadLaw::advance(const SpindleMotion& spindle) RT_SAFE {
   const double direction = start_.direction;
   const Jet law{place(spindle), direction * spindle.speed, direction * spindle.acceleration,

@@ -3,7 +3,7 @@
 // In the law s = +-(turns of the spindle - turns at the start); before it a ramp from rest leads
 // in, whose time is the angle since its start over the speed that it was made for, and which ends
 // half its turns after s = 0. Thread: the cycle. Owner: SynchronousRun, which begins it with what
-// RunIn found. Invariant: once in the law it stays there.
+// RunIn found, or where a tap stands. Invariant: once in the law it stays there.
 #pragma once
 
 #include "base/rt_safe.h"
@@ -25,6 +25,9 @@ struct RunInStart {
 class ThreadLaw {
  public:
   void begin(const RunInStart& start) RT_SAFE;
+  // Without a run-in: the path stands at `place`, and the spindle brings it back from there when it
+  // turns at `out_speed`.
+  void begin_at(double place, double turns, double out_speed) RT_SAFE;
 
   // Where the path is to be at the setpoint, with derivatives by time; once a cycle.
   [[nodiscard]] kinematics::Jet advance(const SpindleMotion& spindle) RT_SAFE;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "tests/motion/threads/thread_bench.h"
 
@@ -44,6 +45,12 @@ class TapSpindle {
       braking_ = std::min(acceleration_, order.acceleration);
     } else if (order.kind == SpindleOrder::Kind::go_on) {
       wanted_ = commanded_;
+    } else if (order.kind == SpindleOrder::Kind::turn_out) {
+      wanted_ = order.speed;
+      braking_ = std::min(acceleration_, order.acceleration);
+    } else if (order.kind == SpindleOrder::Kind::stop) {
+      wanted_ = 0.0;
+      braking_ = acceleration_;
     }
     constexpr int steps = 100;
     const double h = cycle_s / steps;
@@ -160,6 +167,70 @@ TEST(RigidTap, LeavingATapStopsItsSpindleAndStaysOnTheHelix) {
   const double off = spindle.angle() + bench.output().axes[Z].value / 1.5;
   EXPECT_LE(std::abs(off - std::round(off)) * 1.5, 2.0 * increment_mm);
 }
+
+// The tap is stopped at a random place of its way in or out, by a spindle that turns either way,
+// and taken out: in step with the spindle all the way, and exactly to where it began.
+class StoppedTap : public ::testing::TestWithParam<int> {};
+
+TEST_P(StoppedTap, ComesOutInStepWithItsSpindle) {
+  std::mt19937 random(static_cast<unsigned>(GetParam()));
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const double speed = std::copysign(between(3.0, 25.0), between(-1.0, 1.0));
+  const double acceleration = between(30.0, 100.0);
+  const double lead = between(0.5, 2.0);
+  const double stopped_behind_s = between(0.01, 0.95) * 2.0 * 30.0 / (lead * std::abs(speed));
+  TapSpindle spindle(speed, acceleration, GetParam() % 3 == 0 ? 0.2 : 0.0);
+  ThreadBench bench([&](double) { return spindle.angle(); }, speed, at(0.0, 5.0));
+  lead_by_spindle(bench, spindle);
+  ThreadBuilder in(bench.config());
+  SpindleCoupling coupling;
+  coupling.kind = SpindleCoupling::Kind::tap;
+  coupling.spindle_acceleration = acceleration;
+  in.begin(at(0.0, 5.0), bench.config().geometry, coupling, std::abs(speed));
+  ASSERT_FALSE(in.add_tap(block_to(at(0.0, -25.0), lead)));
+  bench.send(in);
+  while (bench.output().tap.place != TapOnPath::Place::in_hole) bench.cycle();
+  const double begins = bench.time();
+  while (bench.time() < begins + stopped_behind_s) bench.cycle();
+  ASSERT_EQ(bench.output().tap.place, TapOnPath::Place::in_hole);
+  EXPECT_EQ(bench.output().tap.lead_mm, lead);
+  bench.control().leaves_thread = true;
+  bench.idle(2.0);
+  ASSERT_EQ(bench.output().axes[Z].first, 0.0);
+  bench.drop_chain();
+  bench.idle(0.1);
+  EXPECT_EQ(bench.output().tap.place, TapOnPath::Place::none);
+
+  const double z_stopped = bench.output().axes[Z].value;
+  const double angle_stopped = spindle.angle();
+  ThreadBuilder out(bench.config());
+  coupling.kind = SpindleCoupling::Kind::tap_out;
+  coupling.out_speed = -speed;
+  out.begin(at(0.0, 5.0), bench.config().geometry, coupling, std::abs(speed));
+  ASSERT_FALSE(out.add_tap(block_to(at(0.0, z_stopped), lead)));
+  bench.send(out);
+  double error = 0.0;
+  double deepest = z_stopped;
+  const std::uint64_t done = bench.output().chunks_done;
+  while (bench.output().chunks_done == done && bench.time() < 120.0) {
+    bench.cycle();
+    const double z = bench.output().axes[Z].value;
+    deepest = std::min(deepest, z);
+    if (z > 4.0 - 2.0 * lead) continue;  // it brakes there
+    const double turned = std::copysign(1.0, -speed) * (spindle.angle() - angle_stopped);
+    error = std::max(error, std::abs(z - z_stopped - lead * turned));
+  }
+  EXPECT_GT(bench.output().chunks_done, done) << "z " << bench.output().axes[Z].value;
+  EXPECT_LE(error, 2.0 * increment_mm);
+  EXPECT_GE(deepest, z_stopped - 2.0 * increment_mm);
+  EXPECT_EQ(bench.output().axes[Z].value, 5.0);
+  EXPECT_EQ(spindle.wanted(), 0.0);
+  EXPECT_LE(bench.used(), 1.0 + rounding);
+}
+
+INSTANTIATE_TEST_SUITE_P(RigidTap, StoppedTap, ::testing::Range(1, 61));
 
 }  // namespace
 }  // namespace stanok::motion::testing

@@ -45,6 +45,24 @@ TEST(TapReversal, StopsTheSpindleForTheBottom) {
   EXPECT_EQ(reversal.advance(turning, 7.50, moving).kind, Kind::none);
 }
 
+// It stands in its hole when its chain begins: out at its own speed at once, then stopped.
+TEST(TapReversal, TurnsOutFromWhereItWasStopped) {
+  SpindleCoupling out = tap();
+  out.kind = SpindleCoupling::Kind::tap_out;
+  out.dwell_s = 0.0;
+  out.out_speed = -7.0;
+  TapReversal reversal = in_the_hole(out);
+  EXPECT_TRUE(reversal.is_tap());
+  const SpindleOrder order = reversal.advance(standing, 8.0, {});
+  EXPECT_EQ(order.kind, Kind::turn_out);
+  EXPECT_EQ(order.spindle, 1);
+  EXPECT_EQ(order.speed, -7.0);
+  EXPECT_EQ(order.acceleration, 100.0);
+  EXPECT_TRUE(reversal.returns());
+  EXPECT_EQ(reversal.advance(turning, 7.0, moving).kind, Kind::none);
+  EXPECT_EQ(reversal.go_on().kind, Kind::stop);
+}
+
 TEST(TapReversal, TurnsBackWhenSpindleAndPathHaveStoodForTheDwell) {
   TapReversal reversal = in_the_hole(tap());
   (void)reversal.advance(turning, 7.9, moving);

@@ -131,6 +131,12 @@ class ThreadBench {
     ASSERT_TRUE(look_ahead_.deliver(queue_));
   }
 
+  // At rest within a chain: what is left of it is forgotten, and so is that its spindle led it.
+  void drop_chain() {
+    interpolator_.drop_path(queue_);
+    control_ = {};
+  }
+
   // Until the chain is over; the samples of all its setpoints.
   std::vector<ThreadSample> cut(double seconds_max = 30.0) {
     const std::uint64_t done = output_.chunks_done;

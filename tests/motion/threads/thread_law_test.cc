@@ -70,5 +70,19 @@ TEST(ThreadLaw, ARunInThatBeginsAnewIsNotInTheLaw) {
   EXPECT_FALSE(law.is_in_law());
 }
 
+// A tap of 4 turns in its hole: whichever way the spindle turns out, a turn of it is one of the
+// way.
+TEST(ThreadLaw, BringsATapBackFromWhereItStands) {
+  for (const double out : {-3.0, 3.0}) {
+    ThreadLaw law;
+    law.begin_at(4.0, 17.25, out);
+    EXPECT_TRUE(law.is_in_law());
+    const double way = out < 0.0 ? -1.0 : 1.0;
+    const kinematics::Jet one = law.advance({.turns = 17.25 + way, .speed = out});
+    EXPECT_NEAR(one.value, 3.0, 1e-12);
+    EXPECT_NEAR(one.first, -3.0, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace stanok::motion
