@@ -1,5 +1,6 @@
 // SpindleGroup: the spindles of a channel: what programs, feed laws and taps ask of them, their
-// angles as encoders tell them, and spindles that are axes for a while (M902, M903).
+// angles as encoders tell them, a tap that one of them has left in its hole, and spindles that are
+// axes for a while (M902, M903).
 //
 // The drive of such an axis follows a velocity while it is a spindle: its setpoint is the angle of
 // the spindle in [0, 360) deg and its speed. After M902 the axis goes on from where the drive
@@ -14,6 +15,7 @@
 #include "channels/axes/axis_motion.h"
 #include "channels/axes/spindle.h"
 #include "channels/axes/spindle_motion.h"
+#include "channels/axes/tap_in_hole.h"
 #include "motion/threads/spindle_observer.h"
 
 namespace stanok::channels {
@@ -50,6 +52,16 @@ class SpindleGroup {
   void turn() RT_SAFE;
 
   [[nodiscard]] const Spindle& master() const RT_SAFE { return spindles_[0]; }
+  // Once a cycle, behind the path. True: the path was given up while its tap is in the hole.
+  [[nodiscard]] bool follow_tap(const motion::InterpolatorOutput& path) RT_SAFE {
+    return tap_.follow(path, spindles_[path.tap.spindle].commanded());
+  }
+  [[nodiscard]] TapInHole& tap() RT_SAFE { return tap_; }
+  [[nodiscard]] const TapInHole& tap() const RT_SAFE { return tap_; }
+  // It is an axis now.
+  [[nodiscard]] bool is_axis(int index) const RT_SAFE {
+    return position_loop_is_closed(constants_.spindles[index].id);
+  }
   // rev/min, clockwise > 0. Nothing: the channel has no such spindle.
   [[nodiscard]] std::optional<double> speed(int id) const RT_SAFE;
 
@@ -90,7 +102,8 @@ class SpindleGroup {
   NumberedArray<motion::SpindleObserver, spindles_max> observers_{};
   NumberedArray<EncoderNews, spindles_max> encoder_news_{};  // the latest of each spindle
   bool angles_are_old_ = false;                              // in this cycle
-  AskedSpeed speed_behind_law_;                              // when the present law is over
+  TapInHole tap_;
+  AskedSpeed speed_behind_law_;  // when the present law is over
 };
 
 }  // namespace stanok::channels

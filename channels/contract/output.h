@@ -214,6 +214,7 @@ struct ChannelOutput {
   RetraceState retrace;
   bool spindles_off = false;  // its spindles are stopped, its coolant is off
   bool coolant_off = false;
+  bool tap_in_hole = false;  // a tap was stopped there, and no run has it
   std::int32_t scheme = 0;
   // Of what took effect last, a block of the path or an item beside it; line 0: no program runs.
   // Its situation is that of everything here, also while nothing runs.

@@ -13,6 +13,7 @@ using errand_states::Loading;
 using errand_states::LoopClosing;
 using errand_states::Parking;
 using errand_states::SpindleStopping;
+using errand_states::TapComingOut;
 
 namespace {
 
@@ -229,6 +230,21 @@ Verdict ChannelErrands::step(Errand& errand, const requests::KinematicsSelect& r
   if (change.outcome() == Outcome::failed)
     return refusal(change.code().view(), change.text().view());
   return success();
+}
+
+Verdict ChannelErrands::tap_out(Errand& errand) RT_SAFE {
+  Channel& asker = channels_[errand.asker];
+  const TapInHole& tap = asker.spindles.tap();
+  if (errand.is<Asked>()) {
+    if (!tap.is_in()) return refusal("E6103", "no rigid tap was stopped in its hole");
+    if (asker.spindles.is_axis(tap.tap().spindle))
+      return refusal("E6103", "the spindle of the tap is an axis now");
+    asker.items().begin_tap_out();
+    errand.state = ErrandState(TapComingOut{});
+    return pending();
+  }
+  if (tap.is_on_way_out()) return pending();
+  return tap.code().view().empty() ? success() : refusal(tap.code().view(), tap.text().view());
 }
 
 Verdict ChannelErrands::spindle_to_axis(Errand& errand, int spindle) RT_SAFE {

@@ -48,6 +48,7 @@ class ChannelErrands {
   // M902 of the asker: the spindle stops, the drive takes the position over where it stands;
   // which has not found its index pulse turns to it.
   [[nodiscard]] Verdict spindle_to_axis(Errand& errand, int spindle) RT_SAFE;
+  [[nodiscard]] Verdict tap_out(Errand& errand) RT_SAFE;
 
   // A program that ends abnormally takes the runs that it started along, as configured.
   void follow_owners() RT_SAFE;

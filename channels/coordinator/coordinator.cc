@@ -78,6 +78,9 @@ struct Coordinator::Step {
   Verdict operator()(const requests::ProgramRestart& /*request*/) const RT_SAFE {
     return asker().begins_again() ? success() : refusal("W2099", "M99 in the main program");
   }
+  Verdict operator()(const requests::TapOut& /*request*/) const RT_SAFE {
+    return errands().tap_out(errand);
+  }
   Verdict operator()(const requests::SpindleToAxis& request) const RT_SAFE {
     return errands().spindle_to_axis(errand, request.spindle);
   }

@@ -33,6 +33,9 @@ struct SpindleStopping {};
 struct LoopClosing {};
 struct IndexSearching {};
 
+// TapOut: the tap comes back to where it began.
+struct TapComingOut {};
+
 // EndWait: for the end of this run of the target.
 struct AwaitingEnd {
   std::uint32_t run = 0;
@@ -53,7 +56,7 @@ using ErrandState =
                  errand_states::Ending, errand_states::Homing, errand_states::Parking,
                  errand_states::GoingBack, errand_states::ChangingScheme,
                  errand_states::SpindleStopping, errand_states::LoopClosing,
-                 errand_states::IndexSearching, errand_states::AwaitingEnd, errand_states::AtMark,
-                 errand_states::WatchingInput>;
+                 errand_states::IndexSearching, errand_states::TapComingOut,
+                 errand_states::AwaitingEnd, errand_states::AtMark, errand_states::WatchingInput>;
 
 }  // namespace stanok::channels

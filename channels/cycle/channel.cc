@@ -181,8 +181,10 @@ std::uint64_t Channel::closed_from_block() const RT_SAFE {
 
 void Channel::follow_thread() RT_SAFE {
   const motion::InterpolatorOutput& path = motion.path();
+  if (spindles.follow_tap(path))
+    log.tell("W734", "a tap was left in its hole; G30 P99 takes it out", path.tag);
   spindles.obey(path.spindle_order);
-  if (path.spindle_order.kind == motion::SpindleOrder::Kind::go_on) items_.wait_for_spindles();
+  if (motion::ends_tap(path.spindle_order)) items_.wait_for_spindles();
   if (path.has_lost_spindle && !state().is_ending())
     run.fail("A4001", "the axes cannot follow the spindle through the thread", path.tag);
 }
@@ -250,6 +252,7 @@ void Channel::fill(ChannelOutput& output) const RT_SAFE {
   output.workpiece = announcements_.workpiece();
   output.coolant_off = switches.coolant() == Switch::off;
   output.spindles_off = switches.spindles_are_off();
+  output.tap_in_hole = spindles.tap().is_left();
   if (!output.coolant_off) output.coolant = items_.coolant();
   output.tool = items_.tool();
   output.arrivals = arrivals_.arrivals();

@@ -171,6 +171,9 @@ struct ItemWorker::Execution {
     worker.settling_.want({});
     worker.change_.refuse(failed.code.view(), failed.text.view());
   }
+  void operator()(const TapOutEnd& end) const RT_SAFE {
+    parts.spindles.tap().end_way_out(end.code, end.text);
+  }
 };
 
 ItemWorker::ItemWorker(CycleParts& parts)
@@ -366,6 +369,12 @@ void ItemWorker::begin_switch(int scheme) RT_SAFE {
   // Asked for by the own program: the steps of the switch come before the answer.
   if (activity_ == Activity::request) activity_ = Activity::none;
   change_.begin(scheme);
+}
+
+void ItemWorker::begin_tap_out() RT_SAFE {
+  activity_ = Activity::none;
+  parts_.spindles.tap().begin_way_out();
+  parts_.link.tell(TapOut{parts_.spindles.tap().tap(), parts_.motion.axes_M()});
 }
 
 void ItemWorker::follow(const motion::BlockTag& tag) RT_SAFE {

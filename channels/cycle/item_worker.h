@@ -44,6 +44,8 @@ class ItemWorker {
   void begin_search(const ShortText& target, SearchWay way, int passes) RT_SAFE;
   void begin_run(Job job) RT_SAFE;
   void begin_switch(int scheme) RT_SAFE;
+  // Of the tap in the hole: its way comes before the answer to the request.
+  void begin_tap_out() RT_SAFE;
   // Nothing runs: how the channel stands is asked for as far as it is not known any more.
   void settle() RT_SAFE { settling_.ask(stand()); }
   // To the open request.

@@ -101,6 +101,12 @@ struct SwitchFailed {
   ShortText text{};
 };
 
+// The tap is out, or `code` and `text` say why it cannot be taken out.
+struct TapOutEnd {
+  FixedText<8> code{};
+  ReasonText text{};
+};
+
 // Those of lang are commands of the program that reach the cycle as they are. The preparation waits
 // for the answer to a Request.
 using ItemContent =
@@ -108,7 +114,7 @@ using ItemContent =
                  lang::Dwell, lang::SpindleCommand, lang::CuttingSpeedMode, lang::CoolantCommand,
                  lang::ToolChange, lang::OverrideControl, lang::ForceControl, lang::OutputCommand,
                  lang::MachineFunction, lang::ProgramStop, ProbeBegin, Request, AxesStep,
-                 SchemeChosen, SwitchDone, SwitchFailed>;
+                 SchemeChosen, SwitchDone, SwitchFailed, TapOutEnd>;
 
 struct Item {
   motion::BlockTag tag{};

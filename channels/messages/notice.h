@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "channels/contract/held_tap.h"
 #include "channels/contract/operator_command.h"
 #include "channels/contract/output.h"
 #include "channels/contract/texts.h"
@@ -101,8 +102,14 @@ struct SchemeSwitch {
   lang::AxisSet enabled = 0;  // axes whose drives are on
 };
 
+// Bring a tap out of its hole, then say so with the item TapOutEnd.
+struct TapOut {
+  HeldTap tap;
+  motion::Point axes_M{};  // where the axes stand
+};
+
 using Notice = std::variant<ProgramLoad, LineLoad, BlockSearch, ProgramStart, LineStart,
-                            RequestAnswer, PathReset, Settle, SchemeSwitch>;
+                            RequestAnswer, PathReset, Settle, SchemeSwitch, TapOut>;
 static_assert(std::is_trivially_copyable_v<Notice>);
 
 }  // namespace stanok::channels

@@ -65,6 +65,9 @@ struct MarkWait {
   std::uint32_t channels = 0;  // bit k: channel with id k
 };
 
+// G30 P99: the tap that was left in its hole comes out.
+struct TapOut {};
+
 // M902, M903; 0: the master.
 struct SpindleToAxis {
   std::int32_t spindle = 0;
@@ -165,9 +168,9 @@ using Request = std::variant<
     requests::Standstill, requests::ProbeResult, requests::Terminate, requests::ProgramRestart,
     requests::ProgramLoad, requests::ProgramStart, requests::ProgramRun, requests::EndWait,
     requests::ProgramStop, requests::ProgramReset, requests::KinematicsSelect, requests::StateRead,
-    requests::MarkRead, requests::MarkWait, requests::SpindleToAxis, requests::AxisToSpindle,
-    requests::ToolRead, requests::ToolWrite, requests::OffsetRead, requests::OffsetWrite,
-    requests::MachineValueRead, requests::AnalogRead, requests::InputWait,
+    requests::MarkRead, requests::MarkWait, requests::TapOut, requests::SpindleToAxis,
+    requests::AxisToSpindle, requests::ToolRead, requests::ToolWrite, requests::OffsetRead,
+    requests::OffsetWrite, requests::MachineValueRead, requests::AnalogRead, requests::InputWait,
     requests::SharedNumberRead, requests::SharedNumberWrite, requests::SharedNumberCombine,
     requests::SharedTextRead, requests::SharedTextWrite, requests::SharedTextAppend,
     requests::LineRun, requests::Search, requests::Home, requests::ProgramReturn>;

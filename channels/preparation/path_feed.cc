@@ -50,6 +50,11 @@ int digital_input(const ChannelConfig& channel, int input) {
   return place < channel.skip_inputs.size() ? channel.skip_inputs[place] : -1;
 }
 
+// A block without length does not.
+bool takes_time(const motion::Point& start, const motion::PathBlock& block) {
+  return block.kind != motion::BlockKind::line || block.end != start;
+}
+
 // A chain has one transform.
 void stand_for(PathFeed& feed, const lang::Command& command, const lang::Move& move) {
   if (!feed.blocks().stand_for(move)) return;
@@ -174,7 +179,10 @@ PathFeed::Refusal PathFeed::take_move(const lang::Command& command, const lang::
   const auto block = blocks_.block(move, tag_of(command));
   if (!block) return block.error();
   sink_->take_motion(command, {&*block, 1});
-  if (sink_->depth() == FeedDepth::positions) return pass_motion(start, *block);
+  if (sink_->depth() == FeedDepth::positions) {
+    has_given_ = has_given_ || takes_time(start, *block);
+    return std::nullopt;
+  }
   if (move.is_tap) {
     if (auto refusal = tap_refusal(*block, start, blocks_.geometry(), motion_)) return refusal;
   }
@@ -189,17 +197,13 @@ PathFeed::Refusal PathFeed::take_curve(const lang::Command& command,
   const auto blocks = blocks_.curve(spline, tag_of(command));
   if (!blocks) return blocks.error();
   sink_->take_motion(command, *blocks);
-  if (sink_->depth() == FeedDepth::positions) return pass_motion(start, blocks->back());
+  if (sink_->depth() == FeedDepth::positions) {
+    has_given_ = has_given_ || takes_time(start, blocks->back());
+    return std::nullopt;
+  }
   for (const motion::PathBlock& block : *blocks) {
     if (auto refusal = follow(block)) return refusal;
   }
-  return std::nullopt;
-}
-
-// A block without length takes no time.
-PathFeed::Refusal PathFeed::pass_motion(const motion::Point& start,
-                                        const motion::PathBlock& block) {
-  has_given_ = has_given_ || block.kind != motion::BlockKind::line || block.end != start;
   return std::nullopt;
 }
 
@@ -349,6 +353,22 @@ bool PathFeed::move_axis(int axis, double position, double velocity) {
   block.feed_per_s = velocity;
   block.transform = &machine_axes_transform();
   return !follow(block);
+}
+
+std::optional<Diagnostic> PathFeed::take_tap_out(const HeldTap& tap, const motion::Point& axes_M) {
+  end_chain();
+  const auto programmed = [this](const motion::Point& at_M) {
+    blocks_.stand_at(at_M);
+    return blocks_.position_W();
+  };
+  const TapWay way{.start = programmed(tap.start_M),
+                   .deepest = programmed(tap.deepest_M),
+                   .now = programmed(axes_M),
+                   .transform = &blocks_.transform()};
+  const auto end = threads_.take_out(tap, way, blocks_.geometry());
+  if (!end) return end.error();
+  blocks_.return_to(*end);
+  return std::nullopt;
 }
 
 void PathFeed::pass_switch(const kinematics::Scheme& scheme) {

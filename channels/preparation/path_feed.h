@@ -64,6 +64,11 @@ class PathFeed {
   void begin_machine_path(const motion::Point& axes_M);
   [[nodiscard]] bool move_axis(int axis, double position, double velocity);
 
+  // A tap that stands at `axes_M` comes out of its hole; the position is then where it began. Or
+  // why it cannot.
+  [[nodiscard]] std::optional<Diagnostic> take_tap_out(const HeldTap& tap,
+                                                       const motion::Point& axes_M);
+
   // Another scheme is active at once, its axes standing where a switch leaves them.
   void pass_switch(const kinematics::Scheme& scheme);
 
@@ -95,7 +100,6 @@ class PathFeed {
   void take_output(const lang::Command& command, const lang::OutputCommand& output);
   void take_mark(const lang::Command& command, const lang::MarkCommand& mark);
   void take_end(const lang::Command& command, const lang::ProgramEnd& end);
-  [[nodiscard]] Refusal pass_motion(const motion::Point& start, const motion::PathBlock& block);
   [[nodiscard]] Refusal follow(const motion::PathBlock& block);
   void give_rider(const Rider& rider);
   void give_remark(const Remark& remark);

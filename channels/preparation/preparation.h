@@ -64,6 +64,7 @@ class Preparation {
   void obey(const PathReset& reset);
   void obey(const Settle& question);
   void obey(const SchemeSwitch& change);
+  void obey(const TapOut& order);
   void begin_run(const RunStart& start, std::shared_ptr<const lang::Program> program,
                  const std::string& name);
   [[nodiscard]] bool stands_elsewhere(const Stand& stand);

@@ -1,5 +1,6 @@
-// The switch of kinematics on its way: axes park, brakes close, axes join, the transformation is
-// exchanged.
+// What the cycle asks for while a request of the program is open: the switch of kinematics (axes
+// park, brakes close, axes join, the transformation is exchanged), the way of a tap out of its
+// hole.
 #include <string>
 
 #include "channels/preparation/preparation.h"
@@ -32,6 +33,15 @@ void Preparation::obey(const SchemeSwitch& change) {
   scheme_switched_ = true;
   parts_.feed.give({.content = SchemeChosen{change.scheme}});
   parts_.feed.give({.content = SwitchDone{}});
+}
+
+void Preparation::obey(const TapOut& order) {
+  TapOutEnd end;
+  if (const auto refusal = parts_.feed.take_tap_out(order.tap, order.axes_M)) {
+    end.code = std::string_view(refusal->code);
+    end.text = std::string_view(refusal->message);
+  }
+  parts_.feed.give({.content = end});
 }
 
 }  // namespace stanok::channels

@@ -76,6 +76,8 @@ Request request_of(const lang::Request& request, const SharedVariables& shared) 
   switch (request.kind) {
     case RequestKind::spindle_to_axis:
       return requests::SpindleToAxis{request.number};
+    case RequestKind::tap_out:
+      return requests::TapOut{};
     case RequestKind::axis_to_spindle:
       return requests::AxisToSpindle{request.number};
     case RequestKind::terminate:

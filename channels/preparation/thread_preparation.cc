@@ -34,6 +34,39 @@ double smallest_diameter(const motion::Point& start, const motion::Point& end, i
   return from * to < 0.0 ? 0.0 : 2.0 * std::min(std::abs(from), std::abs(to));
 }
 
+double length_of(const motion::Point& way) {
+  double squared = 0.0;
+  for (const double part : way) squared += part * part;
+  return std::sqrt(squared);
+}
+
+motion::Point difference(const motion::Point& to, const motion::Point& from) {
+  motion::Point way = to;
+  for (std::size_t k = 0; k < way.size(); ++k) way[k] -= from[k];
+  return way;
+}
+
+// Where a tap that stands so comes to, parallel to its way. Nothing: it stands elsewhere.
+std::optional<motion::Point> end_of_way_out(const HeldTap& tap, const TapWay& way) {
+  constexpr double across_max = 0.1;  // of the lead: play of the chuck, and an axis that sagged
+  constexpr double stands = 1e-6;     // mm
+  const motion::Point in = difference(way.deepest, way.start);
+  const double depth = length_of(in);
+  if (depth < stands) return way.now;
+  const motion::Point gone = difference(way.now, way.start);
+  double along = 0.0;
+  for (std::size_t k = 0; k < in.size(); ++k) along += gone[k] * in[k] / depth;
+  motion::Point across = gone;
+  for (std::size_t k = 0; k < in.size(); ++k) across[k] -= along * in[k] / depth;
+  const bool is_on_way = length_of(across) <= across_max * tap.lead_mm &&
+                         along >= -across_max * tap.lead_mm && along <= depth + tap.lead_mm;
+  if (!is_on_way) return std::nullopt;
+  if (along < stands) return way.now;
+  motion::Point end = way.start;
+  for (std::size_t k = 0; k < end.size(); ++k) end[k] += across[k];
+  return end;
+}
+
 Diagnostic fault(const char* code, std::string message, std::string help) {
   Diagnostic diagnostic;
   diagnostic.code = code;
@@ -158,6 +191,38 @@ std::optional<Diagnostic> ThreadPreparation::add(const lang::SynchronousMove& mo
   const auto found = is_tap ? builder_.add_tap(block) : builder_.add(block);
   if (found) return diagnostic_of(*found);
   return is_tap ? tried_tap() : std::nullopt;
+}
+
+Expected<motion::Point, Diagnostic> ThreadPreparation::take_out(
+    const HeldTap& tap, const TapWay& way, const std::array<int, 3>& geometry) {
+  const auto index = static_cast<std::size_t>(tap.spindle);
+  const auto end = end_of_way_out(tap, way);
+  if (!end) {
+    return Unexpected<Diagnostic>(fault("E6104", "the tap does not stand on its way any more",
+                                        "free it by hand, then jog the axes away"));
+  }
+  if (*end == way.now) return *end;
+  const SpindleConfig& spindle = spindles_[index].config;
+  const double speed = std::abs(tap.rev_per_min) / seconds_per_minute;
+  spindle_ = index;
+  rev_per_min_ = std::abs(tap.rev_per_min);
+  is_tap_ = true;
+  motion::SpindleCoupling coupling;
+  coupling.kind = motion::SpindleCoupling::Kind::tap_out;
+  coupling.spindle = tap.spindle;
+  coupling.spindle_acceleration = spindle.acceleration / seconds_per_minute;
+  coupling.out_speed = -tap.rev_per_min / seconds_per_minute;
+  builder_.begin(*end, geometry, coupling, speed,
+                 motion::jerk_to_follow(spindle.encoder_pulses, cycle_s_));
+  motion::ThreadBlock block;
+  block.end = way.now;
+  block.lead_mm = tap.lead_mm;
+  block.transform = way.transform;
+  if (const auto found = builder_.add_tap(block)) {
+    forget();
+    return Unexpected<Diagnostic>(diagnostic_of(*found));
+  }
+  return *end;
 }
 
 // A spindle whose speed is not known is not tried.

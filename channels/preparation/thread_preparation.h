@@ -11,11 +11,21 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/expected.h"
+#include "channels/contract/held_tap.h"
 #include "channels/contract/machine_config.h"
 #include "lang/contract/command.h"
 #include "motion/threads/thread_builder.h"
 
 namespace stanok::channels {
+
+// Points of a tap that was stopped in its hole.
+struct TapWay {
+  motion::Point start{};
+  motion::Point deepest{};
+  motion::Point now{};
+  const kinematics::Transform* transform = nullptr;
+};
 
 class ThreadPreparation {
  public:
@@ -38,6 +48,10 @@ class ThreadPreparation {
                                               const motion::PathBlock& line,
                                               const motion::Point& start,
                                               const std::array<int, 3>& geometry);
+  // The tap comes out of its hole, in a chain of its own: to where it begins, beside `way.start` as
+  // far as it stands beside its way now. Or why it cannot.
+  [[nodiscard]] Expected<motion::Point, Diagnostic> take_out(const HeldTap& tap, const TapWay& way,
+                                                             const std::array<int, 3>& geometry);
   // Closes the chain.
   [[nodiscard]] motion::ThreadChain finish() { return builder_.finish(); }
   void forget() { builder_.clear(); }

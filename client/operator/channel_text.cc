@@ -18,42 +18,14 @@ using nlohmann::json;
 constexpr double s_per_min = 60.0;
 
 // What the text is made of; all other members are shown by their names.
-constexpr auto understood = std::to_array<std::string_view>({"id",
-                                                             "name",
-                                                             "words",
-                                                             "axis_names",
-                                                             "state",
-                                                             "program_status",
-                                                             "held_by",
-                                                             "alarm",
-                                                             "program",
-                                                             "run",
-                                                             "line",
-                                                             "block",
-                                                             "scheme",
-                                                             "position",
-                                                             "to_go",
-                                                             "axes",
-                                                             "feed_mm_s",
-                                                             "speed_mm_s",
-                                                             "feed_mm_min",
-                                                             "feed_mm_rev",
-                                                             "speed_mm_min",
-                                                             "override",
-                                                             "g_codes",
-                                                             "m_codes",
-                                                             "tool",
-                                                             "spindles",
-                                                             "begins_at",
-                                                             "remaining_s",
-                                                             "foreseen",
-                                                             "predicted_s",
-                                                             "controlled_by",
-                                                             "file",
-                                                             "situation",
-                                                             "units",
-                                                             "diameter",
-                                                             "point_W"});
+constexpr auto understood = std::to_array<std::string_view>(
+    {"id",          "name",          "words",       "axis_names",   "state",       "program_status",
+     "held_by",     "tap_in_hole",   "alarm",       "program",      "run",         "line",
+     "block",       "scheme",        "position",    "to_go",        "axes",        "feed_mm_s",
+     "speed_mm_s",  "feed_mm_min",   "feed_mm_rev", "speed_mm_min", "override",    "g_codes",
+     "m_codes",     "tool",          "spindles",    "begins_at",    "remaining_s", "foreseen",
+     "predicted_s", "controlled_by", "file",        "situation",    "units",       "diameter",
+     "point_W"});
 
 json member(const json& object, const char* name) {
   return object.is_object() ? object.value(name, json()) : json();
@@ -220,6 +192,8 @@ class Lines {
 void add_reasons(Lines& lines, const json& status, const Terminal& terminal) {
   lines.add_if_there(status, "held_by", "held by");
   lines.add_if_there(status, "controlled_by", "control");
+  if (status.value("tap_in_hole", false))
+    lines.add("tap", "was left in its hole; `stanok mdi \"G30 P99\"` takes it out");
   lines.add_if_there(status, "begins_at", "starts at");
   if (has(status, "foreseen"))
     lines.add("expected", terminal.coloured(alarm_text(status["foreseen"]), Colour::yellow));

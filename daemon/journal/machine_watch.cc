@@ -51,9 +51,9 @@ bool MachineWatch::has_news(double now) {
   return true;
 }
 
-// The cycle begins a run, and the preparation names it behind that: its begin is told again then, the
-// newer record counts. The alarm that ended a run may be told right behind its end: what ended is
-// looked at once more.
+// The cycle begins a run, and the preparation names it behind that: its begin is told again then,
+// the newer record counts. The alarm that ended a run may be told right behind its end: what ended
+// is looked at once more.
 void MachineWatch::look_at_runs(const std::vector<RunReport>& runs, Records& records) {
   for (const RunReport& run : runs) {
     Known& known = known_[run.channel];

@@ -370,6 +370,7 @@ json StatusReport::channel(const channels::ChannelConfig& config, const ChannelO
           {"retrace", retrace_of(output.retrace)},
           {"spindles_off", output.spindles_off},
           {"coolant_off", output.coolant_off},
+          {"tap_in_hole", output.tap_in_hole},
           {"controlled_by", text_or_null(notes.controlled_by)},
           {"alarm", std::move(alarm)},
           {"program", text_or_null(program_of_channel(output, books.runs, notes.program))},

@@ -31,6 +31,7 @@ constexpr auto request_names = enum_names<lang::RequestKind>({
     {lang::RequestKind::channel_reset, "channel_reset"},
     {lang::RequestKind::channel_state, "channel_state"},
     {lang::RequestKind::spindle_to_axis, "spindle_to_axis"},
+    {lang::RequestKind::tap_out, "tap_out"},
     {lang::RequestKind::axis_to_spindle, "axis_to_spindle"},
     {lang::RequestKind::terminate, "terminate"},
     {lang::RequestKind::tool_table_write, "tool_table_write"},

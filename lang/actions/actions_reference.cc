@@ -1,5 +1,6 @@
 // Actions of the reference points: G28 and G30 go there, G27 goes to the programmed point and wants
-// it to be there, G28.1 and G30.1 store where the axes stand.
+// it to be there, G28.1 and G30.1 store where the axes stand. G30 P99 takes a tap out of its hole,
+// as on Fanuc controls (B-64304EN, rigid tapping return).
 //
 // The way leads at rapid over the intermediate point that the axis words give, then to the
 // reference point in M, with the named axes only; without axis words all axes that take part in the
@@ -15,6 +16,8 @@ namespace {
 // What the programmed point of G27 may be off, mm or deg: less than any axis resolves, more than
 // rounding of offsets.
 constexpr double reference_tolerance = 1e-4;
+
+constexpr double number_of_tap_out = 99.0;  // P
 
 // In which the programmed point is no reading of the axes.
 constexpr auto modes_of_other_points = {Exclusion::radius_compensation, Exclusion::tcp,
@@ -34,6 +37,19 @@ AxisSet all_axes(const ActiveBlock& block) {
 
 double distance_between(double from, double to, double modulo_deg) {
   return modulo_deg > 0.0 ? std::remainder(to - from, modulo_deg) : to - from;
+}
+
+// The machine knows where it stands.
+void take_tap_out(ActiveBlock& block) {
+  if (block.programmed != 0) {
+    block.fail("E4003", {'P', -1, {}}, "`G30 P99` does not use axis words", "takes a tap out")
+        .help.emplace_back("remove the axis words: the tap comes back to where it began");
+    return;
+  }
+  Request request;
+  request.kind = RequestKind::tap_out;
+  block.queue.emit(request);
+  block.awaits_position = true;
 }
 
 void go(ActiveBlock& block, Move& move) {
@@ -61,6 +77,8 @@ AxisValues machine_position(const ActiveBlock& block) {
 
 void go_to_reference_point(ActiveBlock& block, CodeNumber code) {
   if (excluded_by_mode(block, code, modes_of_other_points)) return;
+  if (code == g(30) && block.has('P') && block.value('P') == number_of_tap_out)
+    return take_tap_out(block);
   const auto which = point_number(block, code);
   if (!which) return;
   if (block.programmed != 0) {

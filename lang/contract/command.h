@@ -354,6 +354,7 @@ enum class RequestKind : std::uint8_t {
   channel_state,
   spindle_to_axis,     // M902: number = spindle
   axis_to_spindle,     // M903
+  tap_out,             // G30 P99
   terminate,           // number = code, text
   tool_table_write,    // number = tool, index = edge, channel = number of the value, value
   offset_table_write,  // channel = table, number = page, index = axis of the channel, -1 (there is

@@ -87,6 +87,8 @@ const char* omission_of(RequestKind kind) {
       return "channel functions";
     case RequestKind::kinematics:
       return "switches of kinematics";
+    case RequestKind::tap_out:
+      return "taps that are taken out";
     case RequestKind::spindle_to_axis:
     case RequestKind::axis_to_spindle:
       return "switches between spindle and axis";

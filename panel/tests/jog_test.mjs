@@ -446,6 +446,28 @@ test('in a held program the axes are moved away and come back', async () => {
   await other.context().close();
 });
 
+// A stop in a tap leaves it in its hole; the spindle brings it out with the axis.
+test('a tap that was stopped in its hole is taken out', async () => {
+  const depth = 'G91 G94 G17\nS200 M3\nG33.1 Z-30 K1\nM30\n';
+  writeFileSync(join(stage.programs, 'tap.nc'), depth);
+  const z = await at('Z');
+  await stage.client.call('program.run', { program: 'tap.nc', channel: 1 });
+  await until('it is in', async () => (await at('Z')) < z - 5);
+  const other = await stage.openMachine();
+  const card = other.getByRole('article', { name: '1 work' });
+  await card.getByRole('button', { name: 'Stop', exact: true }).click();
+  await card.getByText('A tap is in its hole').waitFor();
+  assert.ok((await at('Z')) < z - 5);
+  await other.getByRole('button', { name: 'Take the tap out' }).click();
+  await other.getByRole('button', { name: 'Yes' }).click();
+  await until('it is out', async () => !(await stage.status()).tap_in_hole);
+  assert.ok(Math.abs((await at('Z')) - z) < 1e-6);
+  await card.getByText('A tap is in its hole').waitFor({ state: 'detached' });
+  await until('it is over', async () => (await stage.client.call('machine.status')).idle);
+  assert.equal((await stage.status()).spindles[0].commanded_rev_min, 0);
+  await other.context().close();
+});
+
 test('in a hold a new length counts at once, and the axes are led to it', async () => {
   await stage.client.call('tool.set', { number: 1, key: 'length', value: 50 });
   writeFileSync(join(stage.programs, 'cut.nc'), 'G43 H1\nG91 G1 X200 F600\nM30\n');

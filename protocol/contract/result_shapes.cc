@@ -45,7 +45,7 @@ constexpr auto named_shapes = std::to_array<std::pair<std::string_view, std::str
       "waits_for":"$wait?","single_block":"boolean","optional_stop":"boolean","first_part":"boolean",
       "block_skip":["integer"],"work_offset":"string?","coolant":["string"],"held_by":"string?",
       "aside":"boolean","retrace":{"blocks":"integer","to_line":"integer","line":"integer?"},
-      "spindles_off":"boolean","coolant_off":"boolean","controlled_by":"string?",
+      "spindles_off":"boolean","coolant_off":"boolean","tap_in_hole":"boolean","controlled_by":"string?",
       "alarm":"$alarm?","program":"string?","run":"integer","file":"string?","line":"integer","block":"integer",
       "scheme":"integer","situation":"integer","units":"string","diameter":["string"],
       "position":"$numbers","point_W":"$numbers","to_go":"$numbers?","axes":{"*":"$axis"},

@@ -253,14 +253,32 @@ class Describer {
     return names[static_cast<int>(end.kind)];
   }
   std::string operator()(const Request& request) const {
-    static const char* const names[] = {
-        "sync",          "kinematics",      "channel_load",    "channel_start",
-        "channel_run",   "channel_wait",    "channel_stop",    "channel_reset",
-        "channel_state", "spindle_to_axis", "axis_to_spindle", "terminate",
-        "write tool",    "write offset",    "read tool",       "read offset",
-        "read",          "probe result",    "wait for input",  "mark wait",
-        "mark state",    "read shared",     "write shared",    "program restart",
-        "combine shared"};
+    static const char* const names[] = {"sync",
+                                        "kinematics",
+                                        "channel_load",
+                                        "channel_start",
+                                        "channel_run",
+                                        "channel_wait",
+                                        "channel_stop",
+                                        "channel_reset",
+                                        "channel_state",
+                                        "spindle_to_axis",
+                                        "axis_to_spindle",
+                                        "take the tap out",
+                                        "terminate",
+                                        "write tool",
+                                        "write offset",
+                                        "read tool",
+                                        "read offset",
+                                        "read",
+                                        "probe result",
+                                        "wait for input",
+                                        "mark wait",
+                                        "mark state",
+                                        "read shared",
+                                        "write shared",
+                                        "program restart",
+                                        "combine shared"};
     std::string text = std::string("request ") + names[static_cast<int>(request.kind)];
     if (request.channel != 0) text += " channel " + std::to_string(request.channel);
     if (request.number != 0) text += " " + std::to_string(request.number);

@@ -212,6 +212,7 @@ export interface Methods {
       })[];
       spindles_off: boolean;
       state: string;
+      tap_in_hole: boolean;
       to_go: Record<string, number> | null;
       tool: {
         edge: number;

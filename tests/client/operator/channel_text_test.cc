@@ -101,10 +101,14 @@ TEST(ChannelText, ShowsWhereAWordComesFrom) {
 TEST(ChannelText, TellsWhyAChannelIsHeldAndWhatIsForeseen) {
   json status = mill_status();
   status["held_by"] = "feed hold by an operator";
+  EXPECT_THAT(channel_text(status, into_a_pipe), ::testing::Not(HasSubstr("tap ")));
+  status["tap_in_hole"] = true;
   status["alarm"] = {{"code", "A2001"}, {"text", "drive fault"}};
   status["foreseen"] = {{"code", "E5101"}, {"text", "too far"}, {"file", "a.nc"}, {"line", 3}};
   const std::string text = channel_text(status, into_a_pipe);
   EXPECT_THAT(text, HasSubstr("held by     feed hold by an operator\n"));
+  EXPECT_THAT(text,
+              HasSubstr("tap         was left in its hole; `stanok mdi \"G30 P99\"` takes it"));
   EXPECT_THAT(text, HasSubstr("expected    a.nc:3: E5101 too far\n"));
   EXPECT_THAT(text, HasSubstr("alarm       A2001 drive fault\n"));
 }

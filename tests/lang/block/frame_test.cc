@@ -138,5 +138,16 @@ TEST_F(Frames, ReferencePointsOfTheMachineFileHoldUntilOneIsStored) {
   EXPECT_EQ(list[1].end[2], 450.0);
 }
 
+// It has no point, and the program goes on from where the axes are then.
+TEST_F(Frames, ATapIsTakenOutByG30P99) {
+  run("G30 P99\nM30\n");
+  const auto requests = all<Request>();
+  ASSERT_EQ(requests.size(), 1u);
+  EXPECT_EQ(requests[0].kind, RequestKind::tap_out);
+  EXPECT_TRUE(all<Move>().empty());
+  for (const char* const wrong : {"G30 P99 Z0\nM30\n", "G30 P98\nM30\n", "G28 P99\nM30\n"})
+    EXPECT_NE(error_code(wrong), "") << wrong;
+}
+
 }  // namespace
 }  // namespace stanok::lang::testing
