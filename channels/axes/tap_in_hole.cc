@@ -32,8 +32,7 @@ void TapInHole::go_deeper(const motion::InterpolatorOutput& path) RT_SAFE {
   }
   if (squared <= depth_ * depth_) return;
   depth_ = std::sqrt(squared);
-  for (std::size_t k = 0; k < tap_.deepest_M.size(); ++k)
-    tap_.deepest_M[k] = path.axes[k].value;
+  for (std::size_t k = 0; k < tap_.deepest_M.size(); ++k) tap_.deepest_M[k] = path.axes[k].value;
 }
 
 void TapInHole::begin_way_out() RT_SAFE {

@@ -22,9 +22,7 @@ class TapInHole {
 
   [[nodiscard]] bool is_in() const RT_SAFE { return is_in_; }
   // Its own path does not have it any more.
-  [[nodiscard]] bool is_left() const RT_SAFE {
-    return is_in_ && (!is_on_path_ || is_on_way_out_);
-  }
+  [[nodiscard]] bool is_left() const RT_SAFE { return is_in_ && (!is_on_path_ || is_on_way_out_); }
   [[nodiscard]] const HeldTap& tap() const RT_SAFE { return tap_; }
 
   // It is to be taken out: until the preparation says that it is, or why it cannot be.

@@ -68,8 +68,10 @@ struct ItemWorker::Execution {
   }
   void operator()(const RunEnd& end) const RT_SAFE {
     worker.end_run(RunResult::succeeded, end.blocks);
-    worker.loads_.note_end();
-    if (parts.constants.first_run) parts.switches.set_first_part(Switch::off);
+    if (worker.loads_.runs_whole()) {
+      worker.loads_.note_end();
+      if (parts.constants.first_run) parts.switches.set_first_part(Switch::off);
+    }
     worker.rest(end.rest);
     if (end.is_restart)
       parts.log.tell("W2099", "M99 in the main program ends the simulated run", tag);
@@ -355,6 +357,7 @@ void ItemWorker::begin_search(const ShortText& target, SearchWay way, int passes
 
 void ItemWorker::begin_run(Job job) RT_SAFE {
   if (job == Job::program) {
+    loads_.begin_run();
     parts_.marks.clear_marks();
     parts_.spindles.open_position_loops();
     parts_.process.restart_laws();

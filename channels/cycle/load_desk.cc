@@ -1,6 +1,7 @@
 #include "channels/cycle/load_desk.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace stanok::channels {
 
@@ -20,10 +21,16 @@ void LoadDesk::begin_search(const BlockSearch& search) RT_SAFE {
 void LoadDesk::take(const LoadDone& load) RT_SAFE {
   outcome_ = load.succeeded ? Outcome::succeeded : Outcome::failed;
   text_ = load.text;
+  if (load.succeeded && job_ == Job::search) next_start_ = Start::in_the_middle;
   if (!load.succeeded || job_ != Job::program) return;
+  next_start_ = Start::at_first_block;
   program_ = load.number;
   digest_ = load.digest;
   run_.apply(Change::loaded);
+}
+
+void LoadDesk::begin_run() RT_SAFE {
+  start_ = std::exchange(next_start_, Start::at_first_block);
 }
 
 void LoadDesk::note_end() RT_SAFE {
@@ -37,6 +44,7 @@ bool LoadDesk::has_run_before() const RT_SAFE {
 
 void LoadDesk::end() RT_SAFE {
   if (outcome_ == Outcome::pending) outcome_ = Outcome::failed;
+  next_start_ = Start::at_first_block;
 }
 
 }  // namespace stanok::channels

@@ -34,18 +34,25 @@ class LoadDesk {
   // The load of the program that is there; 0: none.
   [[nodiscard]] std::int32_t program() const RT_SAFE { return program_; }
 
+  // A run of the program begins, where it was searched for last.
+  void begin_run() RT_SAFE;
+  // The run has begun at the first block.
+  [[nodiscard]] bool runs_whole() const RT_SAFE { return start_ == Start::at_first_block; }
   // It has run to its end, and did so before with the same texts: of the newest programs.
   void note_end() RT_SAFE;
   [[nodiscard]] bool has_run_before() const RT_SAFE;
 
  private:
   static constexpr std::size_t ended_max = 64;
+  enum class Start : std::uint8_t { at_first_block, in_the_middle };
 
   RunControl& run_;
   ChannelLink& link_;
   std::int32_t begun_ = 0;  // loads of programs
   std::int32_t program_ = 0;
   Job job_ = Job::program;
+  Start next_start_ = Start::at_first_block;
+  Start start_ = Start::at_first_block;  // of the newest run
   Outcome outcome_ = Outcome::succeeded;
   ShortText text_;
   std::uint64_t digest_ = 0;  // of the program that is there

@@ -140,8 +140,9 @@ const Keys<MachineSection>& machine_keys() {
        "only",
        from(0, 4096)},
       {"first_run", at<&MachineSection::first_run>, optional, "",
-       "limits rapid traverse to 25 % from the load of a program until it has run to its end once; "
-       "again after every change of its text and every start of the daemon"},
+       "limits rapid traverse to 25 % from the load of a program until it has run from its "
+       "beginning to its end once; again after every change of its text and every start of the "
+       "daemon"},
       {"request_age_max", at<&MachineSection::request_age_max_s>, optional, "s",
        "age above which a command that begins motion is refused", from(0.1, 60.0)},
       {"tables", at<&MachineSection::tables>, optional, "",

@@ -281,6 +281,28 @@ TEST(FirstPart, IsTheFirstRunOfEachText) {
   EXPECT_NEAR(fastest("a.nc"), 62.5, 1e-6);
 }
 
+// What lies before the line where it was started has not run.
+TEST(FirstPart, ARunFromTheMiddleIsNone) {
+  MachineConfig machine = testing::two_channel_machine();
+  machine.first_run = true;
+  MachineBench bench(machine, {.on_at_start = true, .stops_go_on = false});
+  bench.program("a.nc", "G0 X200\nG0 X0\nG0 X200\nG0 X0\nM30\n");
+  const auto fastest = [&](const char* from) {
+    bench.ask(OperatorAction::program_load, 1, "a.nc");
+    bench.run_to_end();
+    if (from != nullptr) bench.ask(OperatorAction::program_search, 1, from);
+    bench.run_to_end();
+    bench.ask(OperatorAction::program_start, 1);
+    double speed = 0.0;
+    bench.run_to_end(
+        [&](const CycleOutput& output) { speed = std::max(speed, output.channels[0].path_speed); });
+    return speed;
+  };
+  EXPECT_NEAR(fastest("3"), 62.5, 1e-6);
+  EXPECT_NEAR(fastest(nullptr), 62.5, 1e-6);
+  EXPECT_NEAR(fastest("3"), 250.0, 1e-6);
+}
+
 class Refusals : public ::testing::Test {
  protected:
   std::string code_of(const OperatorCommand& command) {

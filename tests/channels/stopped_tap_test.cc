@@ -105,8 +105,8 @@ class TapMill {
       const Position now = axes_of(bench);
       if (n > 0 && bench.machine().waits_for_operator()) break;
       if (distance(now, end) < 2.5) continue;  // the axes brake there
-      error = std::max(error,
-                       std::abs(distance(now, from) - lead * std::abs(turns - turns_before)));
+      error =
+          std::max(error, std::abs(distance(now, from) - lead * std::abs(turns - turns_before)));
     }
     EXPECT_LE(error, 2.0 * increment_mm);
   }
@@ -153,9 +153,8 @@ class RandomTap {
     const std::string lead = " K" + std::to_string(made.lead);
     const std::string depth = " Z-" + std::to_string(pick(12, 25));
     const std::string speed = "S" + std::to_string(pick(150, 700)) + (is_left ? " M4\n" : " M3\n");
-    static constexpr std::array planes{
-        "G54\n", "G55\n", "G68.2 X10 Y-5 Z3 I0 J30 K0\nG53.1\n",
-        "G68.2 X10 Y-5 Z3 I90 J20 K0\nG53.1\n"};
+    static constexpr std::array planes{"G54\n", "G55\n", "G68.2 X10 Y-5 Z3 I0 J30 K0\nG53.1\n",
+                                       "G68.2 X10 Y-5 Z3 I90 J20 K0\nG53.1\n"};
     const int plane = pick(0, 3);
     made.text = std::string("#kinematics (") + (plane > 1 ? "2" : "1") + ", 1)\nG90 G94 G17 G99\n";
     made.text += planes[static_cast<std::size_t>(plane)] + speed + "G0 X5 Y-7 Z6\nZ3\n";
@@ -262,9 +261,7 @@ TEST_F(TapInItsHole, IsTakenOutAgainWhenItsWayOutWasStopped) {
   EXPECT_LE(distance(axes_of(bench), at(3.0)), 1e-9);
   EXPECT_FALSE(bench.channel(1).tap_in_hole);
   start(program());
-  bench.run_to_end([](const CycleOutput& output) {
-    EXPECT_FALSE(output.channels[0].tap_in_hole);
-  });
+  bench.run_to_end([](const CycleOutput& output) { EXPECT_FALSE(output.channels[0].tap_in_hole); });
   EXPECT_EQ(codes_since_last_line(), "");
 }
 
