@@ -46,6 +46,9 @@ void take_tap_out(ActiveBlock& block) {
         .help.emplace_back("remove the axis words: the tap comes back to where it began");
     return;
   }
+  for (const int spindle : block.channel.spindles) {
+    if (spindle_turns(block, spindle)) turn_spindle(block, spindle, SpindleAction::stop);
+  }
   Request request;
   request.kind = RequestKind::tap_out;
   block.queue.emit(request);

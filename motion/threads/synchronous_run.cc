@@ -31,7 +31,7 @@ PathMotion SynchronousRun::advance(const SpindleMotion& spindle, const FeedContr
   order_ = {};
   if (stage_ == Stage::waits) {
     if (tap_.is_taken_out()) {
-      turn_out(spindle);
+      turn_out(spindle, control);
     } else {
       wait(spindle, control);
     }
@@ -72,8 +72,10 @@ void SynchronousRun::wait(const SpindleMotion& spindle, const FeedControl& contr
   }
 }
 
-// The thread of the hole and the tap that stands in it are what there is of a law.
-void SynchronousRun::turn_out(const SpindleMotion& spindle) RT_SAFE {
+// The thread of the hole and the tap that stands in it are what there is of a law, once the spindle
+// stands, too.
+void SynchronousRun::turn_out(const SpindleMotion& spindle, const FeedControl& control) RT_SAFE {
+  if (control.hold || !TapReversal::stand(spindle, motion_)) return;
   law_.begin_at(motion_.s, spindle.turns, coupling_.out_speed);
   has_joined_ = true;
   limits_ = limits_of(coupling_.chain);

@@ -56,7 +56,7 @@ class SynchronousRun {
   enum class Stage : std::uint8_t { waits, follows, comes_to_rest, stands, over };
 
   void wait(const SpindleMotion& spindle, const FeedControl& control) RT_SAFE;
-  void turn_out(const SpindleMotion& spindle) RT_SAFE;
+  void turn_out(const SpindleMotion& spindle, const FeedControl& control) RT_SAFE;
   void follow(const kinematics::Jet& course) RT_SAFE;
   void leave(const SpindleMotion& spindle) RT_SAFE;
   void lose() RT_SAFE;

@@ -295,6 +295,18 @@ TEST_F(TapInItsHole, StaysInWhereItDoesNotStandOnItsWay) {
   EXPECT_NEAR(bench.channel(1).axes[2].position, 3.0, 1e-9);
 }
 
+TEST_F(TapInItsHole, ASpindleThatTurnsIsStoppedBefore) {
+  stop(OperatorAction::program_stop);
+  recover();
+  codes_since_last_line();
+  EXPECT_EQ(line("M3 S200"), "");
+  EXPECT_EQ(line("G30 P99"), "");
+  EXPECT_LE(distance(axes_of(bench), at(3.0)), 1e-9);
+  EXPECT_FALSE(bench.channel(1).tap_in_hole);
+  EXPECT_EQ(bench.channel(1).process.spindle_rev_per_min, 0.0);
+  EXPECT_EQ(line("G33.1 Z-5 K1"), "E4064");
+}
+
 TEST_F(TapInItsHole, IsNotTakenOutWhereNothingWasStopped) {
   bench.run_to_end();
   EXPECT_EQ(codes_since_last_line(), "");

@@ -145,6 +145,9 @@ TEST_F(Frames, ATapIsTakenOutByG30P99) {
   ASSERT_EQ(requests.size(), 1u);
   EXPECT_EQ(requests[0].kind, RequestKind::tap_out);
   EXPECT_TRUE(all<Move>().empty());
+  commands.clear();
+  run("M3 S500\nG30 P99\nM30\n");
+  EXPECT_EQ(all<SpindleCommand>().back().action, SpindleAction::stop);
   for (const char* const wrong : {"G30 P99 Z0\nM30\n", "G30 P98\nM30\n", "G28 P99\nM30\n"})
     EXPECT_NE(error_code(wrong), "") << wrong;
 }
