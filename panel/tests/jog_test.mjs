@@ -1,7 +1,7 @@
 // Moving by hand: lines, jogging by button, key and step, and everything that must end a jog: letting
 // go, Escape, lost focus, a killed tab, a server that hangs.
 //
-// With STANOK_WRITE_DOCS=1 it takes the picture of docs/operator/at-the-machine.md, too.
+// With STANOK_WRITE_DOCS=1 it takes pictures of docs/operator/at-the-machine.md, too.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -458,6 +458,9 @@ test('a tap that was stopped in its hole is taken out', async () => {
   await card.getByRole('button', { name: 'Stop', exact: true }).click();
   await card.getByText('A tap is in its hole').waitFor();
   assert.ok((await at('Z')) < z - 5);
+  await until('it stands', async () => (await stage.status()).state === 'Reset');
+  if (process.env.STANOK_WRITE_DOCS)
+    await card.screenshot({ path: join(root, 'docs/operator/pictures/panel-tap.png') });
   await other.getByRole('button', { name: 'Take the tap out' }).click();
   await other.getByRole('button', { name: 'Yes' }).click();
   await until('it is out', async () => !(await stage.status()).tap_in_hole);
