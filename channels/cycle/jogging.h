@@ -5,6 +5,7 @@
 
 #include "base/rt_safe.h"
 #include "channels/axes/manual_motion.h"
+#include "channels/axes/retrace_by_hand.h"
 #include "channels/contract/operator_command.h"
 
 namespace stanok::channels {
