@@ -104,7 +104,7 @@ struct SwitchFailed {
 // The tap is out, or `code` and `text` say why it cannot be taken out.
 struct TapOutEnd {
   FixedText<8> code{};
-  ReasonText text{};
+  ShortText text{};
 };
 
 // Those of lang are commands of the program that reach the cycle as they are. The preparation waits
