@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -66,6 +67,9 @@ struct AlarmReport {
 struct Past {
   std::vector<RunReport> runs;
   std::vector<AlarmReport> alarms;
+  // Numbers of alarms that were given and are not given again, by channel, though the alarm is
+  // lost.
+  std::map<int, std::uint64_t> alarm_numbers{};
 };
 
 // When a cycle was, as Unix time in s. Any thread but the cycle's.

@@ -41,10 +41,15 @@ class ChannelHistory {
 
   // One with a number of its own, from before: numbers go on behind it. Makes no room.
   void recall(Report report) {
-    Count& of_channel = counts_[report.channel];
-    of_channel.given = std::max(of_channel.given, report.number);
-    ++of_channel.kept;
+    go_on_behind(report.channel, report.number);
+    ++counts_[report.channel].kept;
     reports_.push_back(std::move(report));
+  }
+
+  // This number was given already.
+  void go_on_behind(int channel, std::uint64_t number) {
+    Count& of_channel = counts_[channel];
+    of_channel.given = std::max(of_channel.given, number);
   }
 
   // The newest for which the condition holds; nullptr: none.

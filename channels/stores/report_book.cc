@@ -50,6 +50,7 @@ void ReportBook::recall(Past past, TimeOfCycle time_of) {
     alarms_.make_room(alarm.channel, 1);
     alarms_.recall(std::move(alarm));
   }
+  for (const auto& [channel, number] : past.alarm_numbers) alarms_.go_on_behind(channel, number);
 }
 
 std::uint64_t ReportBook::note(AlarmReport alarm) {

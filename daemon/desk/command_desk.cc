@@ -70,6 +70,10 @@ void note_switches(const channels::OperatorCommand& command, ChannelNotes& notes
 
 }  // namespace
 
+bool acknowledges_alarms(OperatorAction action) {
+  return action == OperatorAction::alarm_acknowledge || action == OperatorAction::program_reset;
+}
+
 void CommandDesk::submit(channels::OperatorEvent event, WaitFor wait, Answer answer) {
   event.id = ++last_id_;
   Pending pending{event, wait, std::move(answer), 0, jobs::runs_of(machine_.newest_output())};
@@ -132,8 +136,8 @@ void CommandDesk::note_acceptance(const channels::OperatorEvent& event) {
     note_switches(event.command, notes);
     if (const auto* spindle = std::get_if<channels::commands::OverrideSpindle>(&event.command))
       notes.spindle_override_percent = spindle->factor * 100.0;
-    const bool resets = event.action() == OperatorAction::program_reset;
-    if (resets || event.action() == OperatorAction::alarm_acknowledge) {
+    if (acknowledges_alarms(event.action())) {
+      const bool resets = event.action() == OperatorAction::program_reset;
       notes.alarms_acknowledged = channels::newest_number(alarms, channel.id);
       if (resets || !is_in_alarm(channel.id)) notes.alarms_cleared = notes.alarms_acknowledged;
     }

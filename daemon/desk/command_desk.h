@@ -26,6 +26,9 @@ using CommandResult = Expected<nlohmann::json, protocol::Failure>;
 using Answer = std::function<void(const CommandResult&)>;
 using SteadyTime = std::chrono::steady_clock::time_point;
 
+// Afterwards the alarms of its channel have been seen.
+[[nodiscard]] bool acknowledges_alarms(channels::OperatorAction action);
+
 enum class WaitFor : std::uint8_t { accepted, end_of_run };
 
 class CommandDesk {

@@ -39,4 +39,8 @@ void CommandLog::note(const Asker& asker, const protocol::Request& request,
   journal_->add(std::move(record));
 }
 
+void CommandLog::note_seen(int channel, std::uint64_t number) const {
+  if (journal_ != nullptr) journal_->add(seen_record(channel, number));
+}
+
 }  // namespace stanok::daemon

@@ -4,6 +4,7 @@
 // Any thread; waits for nothing.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "daemon/desk/command_desk.h"
@@ -25,6 +26,8 @@ class CommandLog {
 
   void note(const Asker& asker, const protocol::Request& request,
             const CommandResult& outcome) const;
+  // Somebody has seen the alarms of a channel up to this number.
+  void note_seen(int channel, std::uint64_t number) const;
 
  private:
   Journal* journal_;

@@ -76,7 +76,20 @@ Dispatch::Dispatch(RunningMachine& machine, DaemonDescription description,
       kept_answers_(description_.keep_tables),
       report_(machine, notes_),
       service_{.started = std::chrono::steady_clock::now(), .on_shutdown = std::move(on_shutdown)} {
-  desk_.watch([this](const channels::OperatorEvent& accepted) { queue_.note(accepted); });
+  desk_.watch([this](const channels::OperatorEvent& accepted) {
+    queue_.note(accepted);
+    note_seen(accepted);
+  });
+}
+
+void Dispatch::note_seen(const channels::OperatorEvent& accepted) const {
+  if (!acknowledges_alarms(accepted.action())) return;
+  for (const auto& channel : machine_.file().machine.channels) {
+    const auto notes = notes_.find(channel.id);
+    const bool is_meant = accepted.channel == 0 || accepted.channel == channel.id;
+    if (is_meant && notes != notes_.end())
+      command_log().note_seen(channel.id, notes->second.alarms_acknowledged);
+  }
 }
 
 const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {

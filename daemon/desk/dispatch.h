@@ -111,6 +111,7 @@ class Dispatch {
   // the disk has it.
   [[nodiscard]] Answer noted(const SessionState& session, Answer answer);
   void note_control();
+  void note_seen(const channels::OperatorEvent& accepted) const;
   void control_channel(Call call);
   void tell_control();
   void tell_control(int channel, Answer answer);

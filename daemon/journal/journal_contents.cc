@@ -1,5 +1,6 @@
 #include "daemon/journal/journal_contents.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include "base/enum_names.h"
@@ -41,22 +42,6 @@ void keep_newest_of_channel(std::map<std::pair<int, std::uint64_t>, Value>& all,
   const auto count = std::distance(begin, end);
   constexpr auto kept = static_cast<std::ptrdiff_t>(JournalContents::kept_max);
   if (count > kept) all.erase(begin, std::next(begin, count - kept));
-}
-
-AlarmReport alarm_of(const json& record) {
-  AlarmReport alarm;
-  alarm.channel = value_in(record, "channel", 0);
-  alarm.number = value_in(record, "number", std::uint64_t{0});
-  alarm.at = value_in(record, "at", 0.0);
-  // A standing alarm ends with the daemon; that a run was cut off stands until somebody has seen
-  // it.
-  alarm.is_over = !value_in(record, "stands", false);
-  alarm.diagnostic.code = value_in(record, "code", std::string());
-  alarm.diagnostic.message = value_in(record, "text", std::string());
-  alarm.diagnostic.place.file = value_in(record, "file", std::string());
-  alarm.diagnostic.place.line = value_in(record, "line", 0);
-  alarm.diagnostic.place.column = value_in(record, "column", 0);
-  return alarm;
 }
 
 }  // namespace
@@ -105,6 +90,10 @@ json alarm_record(const AlarmReport& alarm) {
           {"stands", alarm.cycle == 0 && !alarm.is_over}};
 }
 
+json seen_record(int channel, std::uint64_t number) {
+  return {{"kind", journal_kind::seen}, {"channel", channel}, {"number", number}};
+}
+
 void JournalContents::take(const json& record) {
   const std::string kind = value_in(record, "kind", std::string());
   const Key key{value_in(record, "channel", 0), value_in(record, "number", std::uint64_t{0})};
@@ -113,6 +102,7 @@ void JournalContents::take(const json& record) {
   if (kind == journal_kind::place) runs_[key].place = record;
   if (kind == journal_kind::run_ended) runs_[key].ended = record;
   if (kind == journal_kind::alarm) alarms_[key] = record;
+  if (kind == journal_kind::seen) seen_[key.first] = std::max(seen_[key.first], key.second);
   const bool is_action =
       kind == journal_kind::action || kind == journal_kind::start || kind == journal_kind::end;
   if (is_action) take_action(record);
@@ -123,17 +113,23 @@ void JournalContents::take(const json& record) {
 void JournalContents::take_action(const json& action) {
   actions_.push_back(action);
   if (actions_.size() > actions_max) actions_.pop_front();
-  const std::string method = value_in(action, "method", std::string());
-  const bool is_seen = method == "alarm.ack" || method == "program.reset";
-  if (!is_seen || value_in(action, "outcome", std::string()) != "done") return;
-  const auto parameters = action.find("parameters");
-  acknowledge(parameters == action.end() ? 0 : value_in(*parameters, "channel", 0));
 }
 
-// Channel 0: of all.
-void JournalContents::acknowledge(int channel) {
-  for (auto& [key, alarm] : alarms_)
-    if (channel == 0 || key.first == channel) alarm["stands"] = false;
+// A standing alarm ends with the daemon; that a run was cut off stands until somebody has seen it.
+AlarmReport JournalContents::alarm_of(const Key& key, const json& record) const {
+  const auto seen = seen_.find(key.first);
+  const bool is_seen = seen != seen_.end() && key.second <= seen->second;
+  AlarmReport alarm;
+  alarm.channel = key.first;
+  alarm.number = key.second;
+  alarm.at = value_in(record, "at", 0.0);
+  alarm.is_over = is_seen || !value_in(record, "stands", false);
+  alarm.diagnostic.code = value_in(record, "code", std::string());
+  alarm.diagnostic.message = value_in(record, "text", std::string());
+  alarm.diagnostic.place.file = value_in(record, "file", std::string());
+  alarm.diagnostic.place.line = value_in(record, "line", 0);
+  alarm.diagnostic.place.column = value_in(record, "column", 0);
+  return alarm;
 }
 
 std::vector<json> JournalContents::records() const {
@@ -142,10 +138,9 @@ std::vector<json> JournalContents::records() const {
   for (const auto& [key, run] : runs_)
     for (const json& record : {run.begun, run.place, run.ended})
       if (!record.is_null()) records.push_back(record);
-  // Actions before alarms: they say what was seen of the alarms before them, which these know by
-  // now.
   records.insert(records.end(), actions_.begin(), actions_.end());
   for (const auto& [key, alarm] : alarms_) records.push_back(alarm);
+  for (const auto& [channel, number] : seen_) records.push_back(seen_record(channel, number));
   return records;
 }
 
@@ -189,7 +184,8 @@ channels::Past JournalContents::past() const {
   channels::Past past;
   for (const auto& [key, run] : runs_)
     past.runs.push_back(run.ended.is_null() ? cut_off(key, run).run : report_of(key, run));
-  for (const auto& [key, alarm] : alarms_) past.alarms.push_back(alarm_of(alarm));
+  for (const auto& [key, alarm] : alarms_) past.alarms.push_back(alarm_of(key, alarm));
+  past.alarm_numbers = seen_;
   return past;
 }
 

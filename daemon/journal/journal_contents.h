@@ -1,9 +1,9 @@
 // JournalContents: what the records of a journal come to, and the records that are enough to say
 // it again.
 //
-// Records are taken in their order. Of each channel the newest runs and alarms are remembered, and
-// of all the newest actions of operators; the rest is forgotten, so that a journal can be made
-// short. Plain data; belongs to one thread.
+// Records are taken in their order; what was seen of alarms may be told before these are. Of each
+// channel the newest runs and alarms are remembered, and of all the newest actions of operators;
+// the rest is forgotten, so that a journal can be made short. Plain data; belongs to one thread.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +30,8 @@ inline constexpr const char* place =
 inline constexpr const char* run_ended = "run_ended";
 inline constexpr const char* alarm = "alarm";
 inline constexpr const char* action = "action";  // of an operator
+// Somebody has seen the alarms of a channel up to this one: {"channel","number"}.
+inline constexpr const char* seen = "seen";
 }  // namespace journal_kind
 
 // "done", "stopped", ...; nothing: it has not ended.
@@ -39,6 +41,7 @@ inline constexpr const char* action = "action";  // of an operator
 [[nodiscard]] nlohmann::json run_begun_record(const channels::RunReport& run);
 [[nodiscard]] nlohmann::json run_ended_record(const channels::RunReport& run);
 [[nodiscard]] nlohmann::json alarm_record(const channels::AlarmReport& alarm);
+[[nodiscard]] nlohmann::json seen_record(int channel, std::uint64_t number);
 
 class JournalContents {
  public:
@@ -73,13 +76,14 @@ class JournalContents {
   };
 
   void take_action(const nlohmann::json& action);
-  void acknowledge(int channel);
+  [[nodiscard]] channels::AlarmReport alarm_of(const Key& key, const nlohmann::json& record) const;
   [[nodiscard]] static channels::RunReport report_of(const Key& key, const Run& run);
   [[nodiscard]] static CutOff cut_off(const Key& key, const Run& run);
 
   std::string id_;
   std::map<Key, Run> runs_;
   std::map<Key, nlohmann::json> alarms_;
+  std::map<int, std::uint64_t> seen_;  // by channel, the number of its newest alarm that was seen
   std::deque<nlohmann::json> actions_;
 };
 

@@ -118,7 +118,7 @@ class Journal(unittest.TestCase):
                 self.assertTrue(begun - 1 <= run["begun_at"] <= run["ended_at"] <= killed + 1, run)
                 operator.ask("alarm.ack", channel=1)
                 self.assertEqual(operator.ask("alarm.list", channel=1)["alarms"], [])
-                until(lambda: sum(record.get("method") == "alarm.ack" for record in self.place.records()) == kill + 1)
+                until(lambda: sum(record["kind"] == "seen" for record in self.place.records()) == kill + 1)
             with self.place.daemon() as (operator, _):
                 self.assertEqual(operator.ask("alarm.list", channel=1)["alarms"], [], "it was seen")
         self.assertEqual(len(set(ids)), KILLS, "no id is given twice")

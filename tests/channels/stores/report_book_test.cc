@@ -118,6 +118,7 @@ TEST(ReportBook, GoesOnBehindWhatThereWasBefore) {
   alarm.channel = 1;
   alarm.number = 4;
   past.alarms = {alarm};
+  past.alarm_numbers = {{1, 5}};
   reports.recall(past, [](std::int64_t cycle) { return 1e9 + static_cast<double>(cycle); });
   reports.name_run(1, 1, "now.nc", {});
   reports.put(ended_run(1, 1, 10, 20));
@@ -128,9 +129,9 @@ TEST(ReportBook, GoesOnBehindWhatThereWasBefore) {
   EXPECT_EQ(runs.back().number, 8U);
   EXPECT_EQ(runs.back().begun_at, 1e9 + 10);
   EXPECT_EQ(runs.back().ended_at, 1e9 + 20);
-  EXPECT_EQ(reports.note(alarm), 5U);
+  EXPECT_EQ(reports.note(alarm), 6U) << "5 was given and is lost";
   reports.put(alarm_at(30, "A3001"));
-  EXPECT_EQ(reports.alarms().back().number, 6U);
+  EXPECT_EQ(reports.alarms().back().number, 7U);
   EXPECT_EQ(reports.alarms().back().at, 1e9 + 30);
 }
 

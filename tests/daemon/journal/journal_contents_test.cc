@@ -72,7 +72,6 @@ TEST(JournalContents, ARunThatNobodyHasEndedWasCutOffWhereItWasLast) {
   EXPECT_THAT(contents.cut_off(), IsEmpty());
 }
 
-// An alarm that no cycle raised stands until somebody has seen it, over any number of starts.
 // The cycle begins a run before the preparation names it: the begin is told twice.
 TEST(JournalContents, ARunMayBeNamedAfterItHasBegun) {
   JournalContents contents;
@@ -87,28 +86,44 @@ TEST(JournalContents, ARunMayBeNamedAfterItHasBegun) {
   EXPECT_EQ(cut[0].line, 4);
 }
 
-TEST(JournalContents, ANoticeStandsUntilItIsAcknowledgedOnItsChannel) {
-  AlarmReport notice = alarm(1, 3, 0);
+AlarmReport cut_off_notice(int channel, std::uint64_t number) {
+  AlarmReport notice = alarm(channel, number, 0);
   notice.diagnostic.code = "W941";
+  return notice;
+}
+
+// An alarm that no cycle raised stands until somebody has seen it, over any number of starts.
+TEST(JournalContents, ANoticeStandsUntilItIsSeenOnItsChannel) {
   JournalContents contents;
-  contents.take(alarm_record(notice));
+  contents.take(alarm_record(cut_off_notice(1, 3)));
   contents.take(alarm_record(alarm(1, 4, 77)));
   ASSERT_THAT(contents.past().alarms, SizeIs(2));
   EXPECT_FALSE(contents.past().alarms[0].is_over);
   EXPECT_TRUE(contents.past().alarms[1].is_over);
-  json seen{{"kind", "action"},
-            {"method", "alarm.ack"},
-            {"outcome", "E6080"},
-            {"parameters", {{"channel", 1}}}};
-  contents.take(seen);
-  EXPECT_FALSE(contents.past().alarms[0].is_over) << "it was refused";
-  seen["outcome"] = "done";
-  seen["parameters"]["channel"] = 2;
-  contents.take(seen);
+  contents.take(seen_record(1, 2));
+  EXPECT_FALSE(contents.past().alarms[0].is_over) << "one before it";
+  contents.take(seen_record(2, 9));
   EXPECT_FALSE(contents.past().alarms[0].is_over) << "of another channel";
-  seen["parameters"] = json::object();
-  contents.take(seen);
+  contents.take(seen_record(1, 3));
   EXPECT_TRUE(contents.past().alarms[0].is_over);
+  contents.take(alarm_record(cut_off_notice(1, 5)));
+  EXPECT_FALSE(contents.past().alarms[2].is_over) << "it came behind what was seen";
+}
+
+// The journal looks at alarms now and then, and is told at once of what an operator does.
+TEST(JournalContents, WhatWasSeenMayBeToldBeforeTheAlarm) {
+  JournalContents contents;
+  contents.take(seen_record(1, 3));
+  contents.take(alarm_record(cut_off_notice(1, 3)));
+  EXPECT_TRUE(contents.past().alarms[0].is_over);
+}
+
+// Or the alarm is lost with the daemon that was killed: its number is not given to another one.
+TEST(JournalContents, TheNumberOfALostAlarmIsNotGivenAgain) {
+  JournalContents contents;
+  contents.take(seen_record(2, 6));
+  const std::map<int, std::uint64_t> given{{2, 6}};
+  EXPECT_EQ(contents.past().alarm_numbers, given);
 }
 
 json shown(const JournalContents& contents) {
@@ -142,10 +157,7 @@ json random_record(std::mt19937& chance, std::map<int, std::uint64_t>& runs,
       return alarm_record(report);
     }
     case 4:
-      return {{"kind", "action"},
-              {"method", "alarm.ack"},
-              {"outcome", "done"},
-              {"parameters", {{"channel", channel}}}};
+      return seen_record(channel, alarms[channel] + chance() % 2);
     default:
       return {{"kind", chance() % 2 == 0 ? "start" : "end"},
               {"at", 1.0 * static_cast<double>(chance() % 1000)}};
