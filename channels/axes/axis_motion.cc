@@ -30,7 +30,7 @@ AxisMotion::AxisMotion(const motion::MotionConfig& config, const ChannelConstant
       schemes_(schemes),
       axes_(axes),
       drives_(drives),
-      retrace_(config, constants.retrace_bytes),
+      retrace_(config, constants.retrace_bytes, lengths_),
       interpolator_(config, &retrace_.history(), &lengths_),
       loops_(constants) {
   AxisArray<ManualAxis> manual_axes{};

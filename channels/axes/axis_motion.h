@@ -119,8 +119,8 @@ class AxisMotion {
   SchemeTable& schemes_;
   AxisGroup& axes_;
   const DriveGuard& drives_;
-  RetraceByHand retrace_;
   kinematics::LengthChanges lengths_;
+  RetraceByHand retrace_;
   motion::Interpolator interpolator_;
   motion::InterpolatorOutput path_;
   kinematics::Transform frame_;

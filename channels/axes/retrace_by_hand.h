@@ -32,8 +32,9 @@ struct RetraceOrder {
 class RetraceByHand {
  public:
   // `history_bytes`: for what was passed; 0: nothing is kept.
-  RetraceByHand(const motion::MotionConfig& config, std::size_t history_bytes)
-      : history_(history_bytes), retrace_(config, history_), cycle_s_(config.cycle_s) {}
+  RetraceByHand(const motion::MotionConfig& config, std::size_t history_bytes,
+                const kinematics::LengthChanges& lengths)
+      : history_(history_bytes), retrace_(config, history_, &lengths), cycle_s_(config.cycle_s) {}
 
   [[nodiscard]] motion::PathHistory& history() RT_SAFE { return history_; }
 

@@ -12,8 +12,9 @@ constexpr double as_good_as_there = 1e-9;  // mm or deg
 
 }  // namespace
 
-Retrace::Retrace(const MotionConfig& config, const PathHistory& history)
-    : config_(config), track_(history), feed_(track_), planner_(config) {}
+Retrace::Retrace(const MotionConfig& config, const PathHistory& history,
+                 const kinematics::LengthChanges* lengths)
+    : config_(config), track_(history), feed_(track_), planner_(config), place_(lengths) {}
 
 void Retrace::begin(const Segment* held, double way, const Point& axes_M) RT_SAFE {
   track_.begin(held, way);

@@ -33,8 +33,10 @@ struct RetraceOutput {
 
 class Retrace {
  public:
-  // `history` outlives the retrace.
-  Retrace(const MotionConfig& config, const PathHistory& history);
+  // `history` and `lengths` outlive the retrace; `lengths` count for transforms that were made
+  // before them, nullptr: none do.
+  explicit Retrace(const MotionConfig& config, const PathHistory& history,
+                   const kinematics::LengthChanges* lengths = nullptr);
 
   // The path is held here: `way` into `held`, or, nullptr, between two chains. The axes stand at
   // `axes_M`.
