@@ -1,228 +1,37 @@
-// Leave and return: the axes of a held program are jogged away, its spindles and coolant are off,
-// and all comes back: what the program does then is what it does when nobody has touched it.
+// Leave and return: what ends it, what it refuses, and the first run of a part. That a program goes
+// on as if nobody had touched it: hands_on_machine_test.cc.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
-#include <random>
 
-#include "tests/support/machine/machine_bench.h"
-#include "tests/support/sanitized.h"
+#include "tests/support/machine/held_program.h"
 
 namespace stanok::channels {
 namespace {
 
 using testing::MachineBench;
 
-constexpr std::size_t axis_count = 5;
-using Places = std::array<double, axis_count>;
+using testing::HeldProgram;
 
-struct Shop {
-  const char* name;
-  MachineConfig (*machine)();
-  const char* head;  // of the program
-  std::array<const char*, 3> jogged;
-  const char* coordinates;
-};
-
-class Scene {
- public:
-  Scene(const Shop& shop, unsigned seed)
-      : shop_(shop),
-        random_(seed),
-        bench(shop.machine(), {.on_at_start = true, .stops_go_on = false}) {
-    bench.program("p.nc", program());
-  }
-
-  int pick(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  double real(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-
-  std::string program() {
-    std::string text = std::string(shop_.head) + "M3 S1000\nM8\nF3000\n";
-    for (int n = 0; n < 12; ++n) {
-      text += pick(0, 4) == 0 ? "G0" : "G1";
-      for (const char* word = shop_.coordinates; *word != 0; ++word)
-        if (pick(0, 2) != 0) text += std::string(" ") + *word + std::to_string(pick(-40, 40));
-      text += "\n";
-      if (pick(0, 9) == 0) text += "G4 P0.05\n";
-      if (pick(0, 9) == 0) text += "M0\n";
-    }
-    return text + "M30\n";
-  }
-
-  Places axes() const { return places(bench.channel(1)); }
-  static Places places(const ChannelOutput& channel) {
-    Places positions{};
-    for (std::size_t k = 0; k < positions.size(); ++k)
-      if (!channel.drives[k].follows_velocity) positions[k] = channel.axes[k].position;
-    return positions;
-  }
-
-  void hold(int after) {
-    bench.run(1, "p.nc");
-    for (int n = 0; n < after; ++n) bench.cycle();
-    bench.ask(OperatorAction::program_hold, 1);
-    for (int n = 0; n < 3000 && !(n > 5 && !bench.channel(1).moving); ++n) bench.cycle();
-  }
-
-  const OperatorReply& answer(const OperatorCommand& command) {
-    OperatorEvent event;
-    event.channel = 1;
-    event.command = command;
-    const std::size_t before = bench.replies().size();
-    bench.ask(event);
-    for (int n = 0; n < 60000 && bench.replies().size() == before; ++n) watch(bench.cycle());
-    EXPECT_GT(bench.replies().size(), before);
-    return bench.replies().back();
-  }
-  void rest() {
-    watch(bench.cycle());
-    for (int n = 0; n < 60000 && bench.channel(1).moving; ++n) watch(bench.cycle());
-  }
-
-  // Velocity of each axis within its limit, and in step with its position.
-  void watch(const CycleOutput& output) {
-    const Places now = places(output.channels[0]);
-    for (std::size_t k = 0; k < now.size(); ++k)
-      EXPECT_LE(std::abs(now[k] - before_[k]), 0.25 * (1.0 + 1e-9)) << k;
-    before_ = now;
-  }
-  void begin_watch() { before_ = axes(); }
-
-  // Positions, cycle by cycle, until nothing happens any more; at M0 the program goes on.
-  std::vector<Places> rest_of_program() {
-    std::vector<Places> course;
-    for (int n = 0; n < 60000 && bench.channel(1).running; ++n) {
-      course.push_back(places(bench.cycle().channels[0]));
-      if (bench.channel(1).state == ChannelState::held) bench.ask(OperatorAction::program_start, 1);
-    }
-    EXPECT_FALSE(bench.channel(1).running);
-    return course;
-  }
-
-  // Along the path, by a way or as long as it is asked for.
-  void retrace() {
-    commands::ProgramRetrace retrace;
-    retrace.direction = pick(0, 2) == 0 ? RetraceDirection::forward : RetraceDirection::back;
-    if (pick(0, 1) == 0) retrace.length = real(0.01, 60.0);
-    for (int times = retrace.length > 0.0 ? 1 : pick(1, 20); times > 0; --times) {
-      const OperatorReply reply = answer(retrace);
-      const std::string_view code = reply.code.view();
-      EXPECT_TRUE(reply.ok || code == "E6099" || code == "E6102" || code == "E6097") << code;
-      if (reply.ok) ++retraced;
-      if (retrace.length == 0.0)
-        for (int n = 0; n < 100; ++n) watch(bench.cycle());
-    }
-    rest();
-  }
-
-  // Axes away, a few times, one after the other.
-  void go_away() {
-    for (int moves = pick(1, 6); moves > 0; --moves) {
-      if (pick(0, 2) == 0) retrace();
-      commands::Jog jog;
-      const std::size_t axis = static_cast<std::size_t>(pick(0, 2));
-      jog.axis = ShortText(shop_.jogged[axis]);
-      jog.velocity = (pick(0, 1) == 0 ? 1.0 : -1.0) * real(5.0, 60.0);
-      jog.increment = real(0.01, 30.0);
-      const OperatorReply reply = answer(jog);
-      EXPECT_TRUE(reply.ok || reply.code.view() == "E6099" || reply.code.view() == "E6053")
-          << reply.code.view();
-      rest();
-    }
-  }
-
- private:
-  const Shop& shop_;
-  std::mt19937 random_;
-  Places before_{};
-
- public:
-  MachineBench bench;
-  int retraced = 0;
-};
-
-// The courses without the time that axes stand in front.
-std::vector<Places> moving_part(const std::vector<Places>& course) {
-  std::vector<Places> moving;
-  for (const Places& place : course)
-    if (moving.empty() || moving.back() != place) moving.push_back(place);
-  return moving;
-}
-
-class MoveAside : public ::testing::TestWithParam<Shop> {};
-
-TEST_P(MoveAside, TheProgramGoesOnAsIfNobodyHadTouchedIt) {
-  const unsigned seeds = testing::is_sanitized ? 4 : 40;
-  int left = 0;
-  int retraced = 0;
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    Scene untouched(GetParam(), seed);
-    Scene scene(GetParam(), seed);
-    const int after = scene.pick(100, 5000);
-    ASSERT_EQ(untouched.pick(100, 5000), after);
-    untouched.hold(after);
-    scene.hold(after);
-    if (!scene.bench.channel(1).running) continue;
-    ASSERT_EQ(scene.axes(), untouched.axes());
-    const Places held = scene.axes();
-    const double turned = scene.bench.channel(1).process.spindles[0].target_rev_per_min;
-    scene.begin_watch();
-    const bool is_off = scene.pick(0, 1) == 1;
-    if (is_off) {
-      EXPECT_TRUE(scene.answer(commands::SpindleSwitch{Switch::off}).ok);
-      EXPECT_TRUE(scene.answer(commands::CoolantSwitch{Switch::off}).ok);
-    }
-    scene.go_away();
-    if (scene.bench.channel(1).aside) {
-      ++left;
-      EXPECT_EQ(scene.answer(commands::ProgramStart{}).code.view(), "E6097");
-      if (scene.pick(0, 1) == 1) {
-        scene.bench.ask(OperatorAction::program_return, 1);
-        for (int n = scene.pick(1, 400); n > 0; --n) scene.watch(scene.bench.cycle());
-        scene.bench.ask(OperatorAction::program_hold, 1);
-        scene.rest();
-        scene.go_away();
-      }
-      if (scene.bench.channel(1).aside) {
-        const OperatorReply& back = scene.answer(commands::ProgramReturn{scene.real(2.0, 80.0)});
-        EXPECT_TRUE(back.ok) << back.code.view();
-      }
-      if (is_off) {
-        EXPECT_EQ(scene.bench.channel(1).process.spindles[0].rev_per_min, turned);
-      }
-    }
-    EXPECT_FALSE(scene.bench.channel(1).aside);
-    EXPECT_EQ(scene.axes(), held);
-    retraced += scene.retraced > 0 ? 1 : 0;
-    scene.bench.ask(OperatorAction::program_start, 1);
-    untouched.bench.ask(OperatorAction::program_start, 1);
-    EXPECT_EQ(moving_part(scene.rest_of_program()), moving_part(untouched.rest_of_program()));
-    EXPECT_EQ(scene.bench.alarm_codes(), std::vector<std::string>());
-  }
-  EXPECT_GT(left, static_cast<int>(seeds) / 2);
-  EXPECT_GE(retraced, static_cast<int>(seeds) / 8);
-}
+class MoveAside : public ::testing::TestWithParam<testing::HeldCase> {};
 
 TEST_P(MoveAside, AResetLeavesTheAxesWhereTheyAre) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
-    Scene scene(GetParam(), seed);
-    scene.hold(scene.pick(100, 3000));
+    HeldProgram scene(GetParam(), seed);
+    scene.go_on(scene.pick(100, 3000));
+    scene.hold();
     if (!scene.bench.channel(1).running) continue;
-    scene.begin_watch();
-    scene.go_away();
-    const Places away = scene.axes();
+    for (int jogs = scene.pick(1, 6); jogs > 0; --jogs) scene.jog();
+    const HeldProgram::Places away = scene.axes();
     scene.bench.ask(OperatorAction::program_reset, 1);
-    scene.bench.run_to_end([&](const CycleOutput& output) { scene.watch(output); });
+    scene.cycle();
+    scene.rest();
     EXPECT_EQ(scene.axes(), away);
     EXPECT_FALSE(scene.bench.channel(1).aside);
     scene.bench.ask(OperatorAction::mdi, 1, "G53 G1 X" + std::to_string(away[0]) + " F500");
-    scene.bench.run_to_end([&](const CycleOutput& output) { scene.watch(output); });
+    scene.bench.run_to_end();
     for (std::size_t k = 0; k < away.size(); ++k) EXPECT_NEAR(scene.axes()[k], away[k], 1e-5);
   }
 }
@@ -406,30 +215,10 @@ TEST(Return, IsCalledOffByAJogWhileItWaitsForTheSpindle) {
   EXPECT_EQ(bench.replies()[bench.replies().size() - 1].code.view(), "E6072");
 }
 
-MachineConfig five_axis_machine() {
-  MachineConfig machine = testing::two_channel_machine();
-  machine.channels[0].scheme = 2;
-  return machine;
-}
-
-constexpr Shop mill{.name = "mill",
-                    .machine = testing::two_channel_machine,
-                    .head = "G64 P0.05\n",
-                    .jogged = {"X", "Y", "Z"},
-                    .coordinates = "XYZ"};
-constexpr Shop five_axes{.name = "five_axes",
-                         .machine = five_axis_machine,
-                         .head = "G43.4\nG64 P0.05\n",
-                         .jogged = {"Z", "B", "C"},
-                         .coordinates = "XYZBC"};
-constexpr Shop lathe{.name = "lathe",
-                     .machine = testing::turning_machine,
-                     .head = "G64 P0.05\n",
-                     .jogged = {"X", "Z", "X"},
-                     .coordinates = "XZ"};
-
-INSTANTIATE_TEST_SUITE_P(All, MoveAside, ::testing::Values(mill, five_axes, lathe),
-                         [](const auto& shop) { return std::string(shop.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, MoveAside,
+                         ::testing::Values(testing::held_mill(), testing::held_led_point(),
+                                           testing::held_lathe()),
+                         [](const auto& at) { return std::string(at.param.name); });
 
 }  // namespace
 }  // namespace stanok::channels

@@ -1,210 +1,31 @@
-// A length of the tool that an operator changes in a hold counts at once: the path of its point on
-// the part is the programmed one, and the axes go by the change beside where they went.
+// A length of the tool that an operator changes in a hold counts at once, also for what was
+// prepared before. That the axes go by the change beside where they went: hands_on_machine_test.cc.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <random>
 
-#include "tests/support/machine/machine_bench.h"
-#include "tests/support/sanitized.h"
+#include "tests/support/machine/held_program.h"
 
 namespace stanok::channels {
 namespace {
 
 using testing::MachineBench;
 
-using PlaceOfThree = std::array<double, 3>;
-
-// A machine with the axes on which a tool has a length, by their places in the channel.
-struct LengthCase {
-  const char* name;
-  MachineConfig (*machine)();
-  const char* head;  // takes tool 1
-  const char* coordinates;
-  std::vector<std::pair<const char*, std::size_t>> keys;  // values of a tool, and their axis
-  std::array<const char*, 3> jogged;
-};
-
-class LengthScene {
- public:
-  LengthScene(const LengthCase& at, unsigned seed)
-      : random_(seed), bench(at.machine(), {.on_at_start = true, .stops_go_on = false}) {
-    for (const auto& [key, axis] : at.keys)
-      set(key, std::string_view(key).starts_with("wear") ? 0.125 : 40.0);
-    std::string text = std::string(at.head) + "G64 P0.05\nF3000\n";
-    for (int n = 0; n < 14; ++n) {
-      text += pick(0, 4) == 0 ? "G0" : "G1";
-      for (const char* word = at.coordinates; *word != 0; ++word)
-        if (pick(0, 2) != 0) text += std::string(" ") + *word + std::to_string(pick(-40, 40));
-      text += pick(0, 9) == 0 ? "\nM0\n" : "\n";
-    }
-    bench.program("p.nc", text + "M30\n");
-  }
-
-  int pick(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  double real(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-
-  std::string code_of(const OperatorCommand& command) {
-    OperatorEvent event;
-    event.channel = std::holds_alternative<commands::ToolSet>(command) ? 0 : 1;
-    event.command = command;
-    const std::size_t before = bench.replies().size();
-    bench.ask(event);
-    for (int n = 0; n < 60000 && bench.replies().size() == before; ++n) bench.cycle();
-    return std::string(bench.replies().back().code.view());
-  }
-  void set(const char* key, double value, int tool = 1) {
-    EXPECT_EQ(code_of(commands::ToolSet{.key = ShortText(key), .value = value, .tool = tool}), "");
-    values_[{tool, key}] = value;
-  }
-  void change(const char* key, double by, int tool = 1) {
-    set(key, values_[{tool, key}] + by, tool);
-  }
-  void hold(int after) {
-    bench.run(1, "p.nc");
-    for (int n = 0; n < after; ++n) bench.cycle();
-    bench.ask(OperatorAction::program_hold, 1);
-    for (int n = 0; n < 3000 && !(n > 5 && !bench.channel(1).moving); ++n) bench.cycle();
-  }
-  void jog(const char* axis, double way) {
-    commands::Jog jog{.axis = ShortText(axis), .velocity = way < 0 ? -50.0 : 50.0};
-    jog.increment = std::abs(way);
-    const std::string code = code_of(jog);
-    EXPECT_TRUE(code.empty() || code == "E6099" || code == "E6053") << code;
-    for (int n = 0; n < 3 || bench.channel(1).moving; ++n) bench.cycle();
-  }
-  void go_back_and_on() {
-    if (bench.channel(1).aside) {
-      EXPECT_EQ(code_of(commands::ProgramReturn{}), "");
-    }
-    EXPECT_FALSE(bench.channel(1).aside);
-    bench.ask(OperatorAction::program_start, 1);
-  }
-  PlaceOfThree axes() const {
-    PlaceOfThree places{};
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (!bench.channel(1).drives[k].follows_velocity)
-        places[k] = bench.channel(1).axes[k].position;
-    }
-    return places;
-  }
-  // Where the axes are, each place once, until the program ends; at M0 it goes on.
-  std::vector<PlaceOfThree> rest_of_program() {
-    std::vector<PlaceOfThree> course{axes()};
-    for (int n = 0; n < 60000 && bench.channel(1).running; ++n) {
-      bench.cycle();
-      if (course.back() != axes()) course.push_back(axes());
-      if (bench.channel(1).state == ChannelState::held) bench.ask(OperatorAction::program_start, 1);
-    }
-    EXPECT_FALSE(bench.channel(1).running);
-    return course;
-  }
-
- private:
-  std::mt19937 random_;
-  std::map<std::pair<int, std::string>, double> values_;
-
- public:
-  MachineBench bench;
-};
-
-class NewLength : public ::testing::TestWithParam<LengthCase> {};
-
-TEST_P(NewLength, LeadsTheSamePathBesideTheOneBefore) {
-  const unsigned seeds = testing::is_sanitized ? 6 : 60;
-  int changed = 0;
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    LengthScene untouched(GetParam(), seed);
-    LengthScene scene(GetParam(), seed);
-    const int after = scene.pick(100, 4000);
-    ASSERT_EQ(untouched.pick(100, 4000), after);
-    untouched.hold(after);
-    scene.hold(after);
-    if (!scene.bench.channel(1).running) continue;
-    ++changed;
-    const PlaceOfThree held = scene.axes();
-    ASSERT_EQ(held, untouched.axes());
-    PlaceOfThree by{};
-    for (int times = scene.pick(1, 3); times > 0; --times) {
-      if (scene.pick(0, 1) == 0)
-        scene.jog(GetParam().jogged[static_cast<std::size_t>(scene.pick(0, 2))],
-                  scene.real(-20.0, 20.0));
-      const auto& [key, axis] =
-          GetParam().keys[static_cast<std::size_t>(scene.pick(0, 99)) % GetParam().keys.size()];
-      const double longer = scene.real(-1.0, 1.0);
-      const PlaceOfThree standing = scene.axes();
-      scene.change(key, longer);
-      for (int n = 0; n < 20; ++n) scene.bench.cycle();
-      EXPECT_EQ(scene.axes(), standing) << "the axes stay until they are led";
-      EXPECT_TRUE(scene.bench.channel(1).aside);
-      by[axis] += longer;
-    }
-    EXPECT_EQ(scene.code_of(commands::ProgramStart{}), "E6097");
-    scene.go_back_and_on();
-    untouched.bench.ask(OperatorAction::program_start, 1);
-    for (std::size_t k = 0; k < held.size(); ++k)
-      EXPECT_NEAR(scene.axes()[k], held[k] + by[k], 1e-9);
-    const std::vector<PlaceOfThree> course = scene.rest_of_program();
-    const std::vector<PlaceOfThree> other = untouched.rest_of_program();
-    ASSERT_EQ(course.size(), other.size());
-    for (std::size_t n = 0; n < course.size(); ++n) {
-      for (std::size_t k = 0; k < held.size(); ++k)
-        ASSERT_NEAR(course[n][k], other[n][k] + by[k], 1e-9) << n << " " << k;
-    }
-    EXPECT_EQ(scene.bench.alarm_codes(), std::vector<std::string>());
-  }
-  EXPECT_GT(changed, static_cast<int>(seeds) / 2);
-}
-
-constexpr const char* mill_head = "T1 M6\nG43 H1\n";
-
-MachineConfig machine_with_head() {
-  MachineConfig machine = testing::two_channel_machine();
-  machine.channels[0].scheme = 2;
-  return machine;
-}
-
-const LengthCase mill_of_lengths{.name = "mill",
-                                 .machine = testing::two_channel_machine,
-                                 .head = mill_head,
-                                 .coordinates = "XYZ",
-                                 .keys = {{"length", 2}, {"wear_length", 2}},
-                                 .jogged = {"X", "Y", "Z"}};
-const LengthCase head_of_lengths{.name = "five_axes",
-                                 .machine = machine_with_head,
-                                 .head = mill_head,
-                                 .coordinates = "XYZBC",
-                                 .keys = {{"length", 2}, {"wear_length", 2}},
-                                 .jogged = {"Z", "B", "C"}};
-const LengthCase lathe_of_lengths{
-    .name = "lathe",
-    .machine = testing::turning_machine,
-    .head = "T1\nG43 H1\nM3 S1000\n",
-    .coordinates = "XZ",
-    .keys = {{"length", 1}, {"length_x", 0}, {"wear_length", 1}, {"wear_length_x", 0}},
-    .jogged = {"X", "Z", "X"}};
-
-INSTANTIATE_TEST_SUITE_P(All, NewLength,
-                         ::testing::Values(mill_of_lengths, head_of_lengths, lathe_of_lengths),
-                         [](const auto& at) { return std::string(at.param.name); });
-
 // The point of a longer tool goes back where the one before came: up first.
 TEST(NewLengthAside, TheWayOfThePointIsTheOneThatWasFree) {
-  LengthScene scene(mill_of_lengths, 1);
-  scene.hold(1500);
-  const PlaceOfThree held = scene.axes();
+  testing::HeldProgram scene(testing::held_mill(), 1);
+  scene.go_on(1500);
+  scene.hold();
+  const testing::HeldProgram::Places held = scene.axes();
   scene.jog("X", 20.0);
-  scene.change("length", 30.0);
+  EXPECT_EQ(scene.change("length", 30.0), "");
   scene.bench.ask(OperatorAction::program_return, 1);
   double lowest = 1e9;
   for (int n = 0; n < 20000 && scene.bench.channel(1).aside; ++n) {
-    scene.bench.cycle();
-    const PlaceOfThree now = scene.axes();
+    scene.cycle();
+    const testing::HeldProgram::Places now = scene.axes();
     if (std::abs(now[0] - held[0] - 20.0) > 1e-6) lowest = std::min(lowest, now[2]);
   }
   EXPECT_NEAR(lowest, held[2] + 30.0, 1e-9);
@@ -395,7 +216,7 @@ TEST_F(PreparedBefore, WhileTheAxesComeToRestNoLengthChanges) {
 
 class LedPoint : public PreparedBefore {
  protected:
-  LedPoint() : PreparedBefore(machine_with_head()) {}
+  LedPoint() : PreparedBefore(testing::five_axis_machine()) {}
 };
 
 // Speeds of the linear axes depend on the length there.
