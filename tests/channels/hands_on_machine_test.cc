@@ -153,7 +153,7 @@ TEST_P(HandsOnMachine, LeaveThePathAsItIs) {
 
 INSTANTIATE_TEST_SUITE_P(All, HandsOnMachine,
                          ::testing::Values(testing::held_mill(), testing::held_five_axes(),
- testing::held_led_point(), testing::held_lathe()),
+                                           testing::held_led_point(), testing::held_lathe()),
                          [](const auto& at) { return std::string(at.param.name); });
 
 }  // namespace

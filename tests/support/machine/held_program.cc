@@ -174,9 +174,8 @@ std::string HeldProgram::change(const char* key, double by, int tool) {
 void HeldProgram::expect_done_or(std::initializer_list<std::string_view> codes,
                                  const std::string& code, const char* what) {
   EXPECT_TRUE(code.empty() || std::ranges::find(codes, code) != codes.end())
-      << what << ": " << code << " "
-      << (code.empty() ? "" : bench.replies().back().text.view()) << " "
-      << ::testing::PrintToString(bench.alarm_codes());
+      << what << ": " << code << " " << (code.empty() ? "" : bench.replies().back().text.view())
+      << " " << ::testing::PrintToString(bench.alarm_codes());
 }
 
 // E6053: out of its travel. E6099: not from this place. E6100: the way back is too long.
@@ -198,8 +197,7 @@ void HeldProgram::turn_wheel() {
   const char* const axis = at_.jogged.at(static_cast<std::size_t>(pick(0, 2)));
   const double detent = (pick(0, 1) == 0 ? 1.0 : -1.0) * real(0.001, 0.1);
   for (int detents = pick(1, 30); detents > 0; --detents) {
-    const std::string code =
-        code_of(commands::Handwheel{.axis = ShortText(axis), .way = detent});
+    const std::string code = code_of(commands::Handwheel{.axis = ShortText(axis), .way = detent});
     expect_done_or({"E6053", "E6099", "E6100"}, code, "wheel");
     for (int n = pick(0, 30); n > 0; --n) cycle();
   }
