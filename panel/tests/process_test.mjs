@@ -82,6 +82,16 @@ test('the feed is interrupted, and no more', async () => {
   await until('the end of it', async () => (await process()).interruption === null);
 });
 
+test('a feed law from a sensor says what it does', async () => {
+  const feed = page.getByRole('region', { name: 'Feed' });
+  const law = feed.getByRole('button', { name: 'Linear, by power' });
+  await feed.getByText(/law: /).waitFor({ state: 'detached' });
+  await law.click();
+  await feed.getByText(/^linear law: (on, F as programmed|\d+ % of F)/).waitFor();
+  await law.click();
+  await feed.getByText(/law: /).waitFor({ state: 'detached' });
+});
+
 // Times are those of docs/programmer/grinding.md.
 test('a grinding cycle is designed, another one verified, with their plots', async () => {
   const grinding = page.getByRole('region', { name: 'Plunge grinding cycle' });

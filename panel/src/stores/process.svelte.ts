@@ -5,8 +5,8 @@ import { store } from './machine.svelte';
 
 /** An automatic feed law: what the cycle makes of a sensor. */
 export interface AutomaticLaw {
-  law: string;
-  state: string;
+  law: 'modulated' | 'linear';
+  state: 'reset' | 'ready' | 'running' | 'fault'; // reset: off
   feed_part: number;
 }
 
