@@ -95,10 +95,10 @@ class PartInHands {
   void retrace() {
     channels::OperatorEvent event;
     event.channel = 1;
-    event.command = channels::commands::ProgramRetrace{run_.chance(3) == 0
-                                                           ? channels::RetraceDirection::forward
-                                                           : channels::RetraceDirection::back,
-                                                       0.1 + 0.1 * run_.chance(400)};
+    event.command =
+        channels::commands::ProgramRetrace{run_.chance(3) == 0 ? channels::RetraceDirection::forward
+                                                               : channels::RetraceDirection::back,
+                                           0.1 + 0.1 * run_.chance(400)};
     run_.ask(event);
   }
   void look(const channels::CycleOutput& output) {

@@ -32,7 +32,7 @@ const std::string blank = "G0 Z60\nG55\n#workpiece (0, 0.04, 0, 60, 26, 6, 30, 1
 const std::string pockets =
     "G0 Z50\nT1 M6\nG43\nS6000 M3\nF600\nG0 X-15 Y0 Z5\nG13 I7 Z-4 D1\nG0 Z5\n"
     "X14 Y0\nG1 Z-4\nG41 D1 G1 X24 F1200\nY6\nX4\nY-6\nX24\nY0\nG40 X14\nG0 Z50\n";
-const std::string probe_in = "T9 M6\nG43\nG0 Z20\n";
+const std::string probe_in = "G53 G0 Z200\nT9 M6\nG43\nG0 Z20\n";
 
 std::string measure_pockets(const std::string& which) {
   const auto tell = [&](const std::string& name, const std::string& result) {
