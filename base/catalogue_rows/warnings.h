@@ -62,7 +62,7 @@ inline constexpr auto further_warnings = std::to_array<CatalogueRow>({
      "jog back, away from what the probe touches", "the axes can be jogged again"},
     {"W734", "a tap was left in its hole", Reaction::warning,
      "leave the axes where they are, and do not turn the spindle",
-     "reset the channel and switch the machine on, then give G30 P99 as a line: the tap comes out "
+     "reset the channel and switch the machine on, then enter G30 P99 in MDI: the tap comes out "
      "in "
      "step with the spindle"},
     {"W810", "the feed is above what the axes can do", Reaction::warning,
