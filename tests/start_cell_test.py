@@ -48,20 +48,22 @@ def until(condition, what):
 
 
 class Page:
-    """What a browser gets behind the link that was printed."""
+    """What a browser gets behind the link that was printed, with the cookie and the key of the session."""
 
     def __init__(self, link):
         self.server = link[1]
         self.opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
-        self.post("/api/session", {"token": link[2]})
+        self.fields = {"Content-Type": "application/json", "Origin": self.server}
+        self.fields["X-Stanok-Key"] = json.loads(self.post("/api/session", {"token": link[2]}))["key"]
 
     def get(self, path):
-        with self.opener.open(self.server + path) as answer:
-            return answer.read()
+        return self.ask(path, None)
 
     def post(self, path, content):
-        fields = {"Content-Type": "application/json", "Origin": self.server}
-        request = urllib.request.Request(self.server + path, json.dumps(content).encode(), fields)
+        return self.ask(path, json.dumps(content).encode())
+
+    def ask(self, path, body):
+        request = urllib.request.Request(self.server + path, body, self.fields)
         with self.opener.open(request) as answer:
             return answer.read()
 
