@@ -39,6 +39,8 @@ constexpr Codes select{off,           yes,           yes,   by_hand, switches, s
                        scheme_in_use, scheme_in_use, alarm, alarm,   stops};
 constexpr Codes jog_codes{off, yes, yes, yes, switches, runs, yes, yes, yes, off, stops};
 constexpr Codes touch{yes, yes, yes, by_hand, switches, runs, runs, runs, yes, yes, stops};
+// The length that is measured counts for the held program at once.
+constexpr Codes touch_tool{yes, yes, yes, by_hand, switches, runs, yes, yes, yes, yes, stops};
 // While a program runs only by a little (E6101).
 constexpr Codes tables{yes, yes, yes, yes, yes, yes, yes, yes, yes, yes, stops};
 constexpr Codes interlude{nothing_ran, nothing_ran, nothing_ran, nothing_ran, nothing_ran, not_held,
@@ -68,6 +70,8 @@ const Codes& codes_of(AdmissionRule rule) RT_SAFE {
       return tables;
     case AdmissionRule::touch:
       return touch;
+    case AdmissionRule::touch_tool:
+      return touch_tool;
     case AdmissionRule::interlude:
       return interlude;
     case AdmissionRule::go_back:

@@ -43,7 +43,7 @@ constexpr auto action_rows = std::to_array<ActionRow>({
     {Action::program_search, "program_search", Effect::none, Rule::search, Reach::channel},
     {Action::channel_control, "channel_control", Effect::none, Rule::always, Reach::channel},
     {Action::offset_touch, "offset_touch", Effect::none, Rule::touch, Reach::channel},
-    {Action::tool_touch, "tool_touch", Effect::none, Rule::touch, Reach::channel},
+    {Action::tool_touch, "tool_touch", Effect::none, Rule::touch_tool, Reach::channel},
     {Action::program_return, "program_return", Effect::begins, Rule::go_back, Reach::channel},
     {Action::spindle_switch, "spindle_switch", Effect::begins, Rule::interlude, Reach::channel},
     {Action::coolant_switch, "coolant_switch", Effect::begins, Rule::interlude, Reach::channel},

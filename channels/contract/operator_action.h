@@ -26,6 +26,7 @@ enum class AdmissionRule : std::uint8_t {
   jog,
   tables,
   touch,
+  touch_tool,
   interlude,  // with a held program
   go_back,    // to the path
 };

@@ -254,7 +254,7 @@ struct OperatorDesk::Application {
   }
   Result touch(const auto& command) const RT_SAFE {
     if (named == nullptr) return refusal("E6001", "a channel must be named");
-    if (!named->is_quiet())
+    if (!named->is_quiet() && !named->state().is_held())
       return refusal("E6090", "the channel is not at rest: check again when it is");
     return desk.touch(*named, command);
   }
@@ -412,13 +412,14 @@ Verdict OperatorDesk::touch(const Channel& channel, const commands::OffsetTouch&
 }
 
 // In a straight frame the point of the tool stands at p_W = what it is without a length - length.
-Verdict OperatorDesk::touch(const Channel& channel, const commands::ToolTouch& command) RT_SAFE {
+Verdict OperatorDesk::touch(Channel& channel, const commands::ToolTouch& command) RT_SAFE {
   constexpr std::array<std::string_view, 3> lengths{"length_x", "length_y", "length"};
   constexpr std::array<std::string_view, 3> wears{"wear_length_x", "", "wear_length"};
   const auto found = std::find(lengths.begin(), lengths.end(), command.key.view());
   if (found == lengths.end()) return refusal("E5021", "there is no such length of a tool");
   const auto place = static_cast<std::size_t>(found - lengths.begin());
-  const kinematics::Transform& frame = channel.motion.frame();
+  const kinematics::Transform frame =
+      kinematics::with_changes(channel.motion.frame(), channel.motion.lengths());
   const int axis = frame.frame.geometry[place];
   if (axis < 0) return refusal("E5021", "the channel has no axis for this length");
   if (const auto refused = refusal_to_touch(channel, axis)) return *refused;

@@ -38,7 +38,7 @@ class OperatorDesk {
   [[nodiscard]] Verdict set_tool(const commands::ToolSet& command) RT_SAFE;
   [[nodiscard]] Verdict set_offset(const commands::OffsetSet& command) RT_SAFE;
   [[nodiscard]] Verdict touch(const Channel& channel, const commands::OffsetTouch& command) RT_SAFE;
-  [[nodiscard]] Verdict touch(const Channel& channel, const commands::ToolTouch& command) RT_SAFE;
+  [[nodiscard]] Verdict touch(Channel& channel, const commands::ToolTouch& command) RT_SAFE;
   void settle(const lang::ChangedRows& rows) RT_SAFE;
 
   const ChannelTable& channels_;

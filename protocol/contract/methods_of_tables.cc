@@ -164,8 +164,9 @@ constexpr auto tables_rows = std::to_array<Method>({
      .role = machine_operator,
      .effect = Effect::changes,
      .parameters = of_touched_tool,
-     .help =
-         "touch off: set the length of a tool so that an axis is at a given value; only at rest",
+     .help = "touch off: set the length of a tool so that an axis is at a given value; at rest, or "
+             "in a "
+             "hold",
      .result = touch_result},
     {.name = "tool.load",
      .role = machine_operator,

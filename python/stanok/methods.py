@@ -871,7 +871,7 @@ class ToolMethods:
         confirmed: int | None = None,
         channel: int | None = None,
     ) -> dict[str, Any]:
-        """Touch off: set the length of a tool so that an axis is at a given value; only at rest.
+        """Touch off: set the length of a tool so that an axis is at a given value; at rest, or in a hold.
 
         ``tool.touch``, for the role operator.
 

@@ -60,7 +60,8 @@ class Hands {
         at_.keys[static_cast<std::size_t>(scene_.pick(0, 99)) % at_.keys.size()];
     const double longer = scene_.real(-1.0, 1.0);
     const Places standing = scene_.axes();
-    const std::string code = scene_.change(key, longer);
+    const std::string code =
+        scene_.pick(0, 1) == 0 ? scene_.change(key, longer) : scene_.touch(key, axis, longer);
     if (!code.empty()) {
       EXPECT_EQ(code, "E6097") << "only on the way back along the path";
       return;

@@ -1139,7 +1139,7 @@ export interface Methods {
       accepted: boolean;
     };
   };
-  /** touch off: set the length of a tool so that an axis is at a given value; only at rest */
+  /** touch off: set the length of a tool so that an axis is at a given value; at rest, or in a hold */
   "tool.touch": {
     params: {
       number: number;

@@ -171,6 +171,15 @@ std::string HeldProgram::change(const char* key, double by, int tool) {
   return code;
 }
 
+std::string HeldProgram::touch(const char* key, std::size_t axis, double by) {
+  if (std::string_view(key).starts_with("wear")) return change(key, by);
+  const double shown = bench.channel(1).point_W[axis].value;
+  const std::string code = code_of(
+      commands::ToolTouch{.key = ShortText(key), .point_W = shown - by, .tool = 1, .edge = 1});
+  if (code.empty()) values_[{1, key}] += by;
+  return code;
+}
+
 void HeldProgram::expect_done_or(std::initializer_list<std::string_view> codes,
                                  const std::string& code, const char* what) {
   EXPECT_TRUE(code.empty() || std::ranges::find(codes, code) != codes.end())

@@ -61,6 +61,8 @@ class HeldProgram {
   [[nodiscard]] std::string code_of(const channels::OperatorCommand& command);
   void set(const char* key, double value, int tool = 1);
   [[nodiscard]] std::string change(const char* key, double by, int tool = 1);
+  // The same by touching off, where the point of tool 1 stands, along an axis; wear is changed.
+  [[nodiscard]] std::string touch(const char* key, std::size_t axis, double by);
   // What hands do of themselves, each a few times or not, as chance has it; they come to rest. A
   // way that is not free, or leads out of the travel, is refused.
   void jog(const char* axis, double way);
