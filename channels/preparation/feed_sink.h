@@ -35,7 +35,8 @@ class FeedSink {
   virtual void take_segment(const motion::PathBuilder::Built& /*built*/) {}
   virtual void take_thread(motion::ThreadChain&& /*chain*/) {}
   virtual void take_item(const Item& /*item*/) {}
-  virtual void take_request(const motion::BlockTag& /*tag*/, const lang::Request& /*request*/) {}
+  virtual void take_request(const motion::BlockTag& /*tag*/,
+                            const lang::ProgramRequest& /*request*/) {}
   virtual void take_rider(const Rider& /*rider*/) {}
   virtual void take_remark(const Remark& /*remark*/) {}
 };

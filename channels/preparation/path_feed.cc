@@ -145,7 +145,7 @@ void PathFeed::take_other(const lang::Command& command, Taken& taken) {
                                                blocks_.transform().frame}});
                  },
                  [&](const lang::WorkpiecePosition& position) { give_remark({tag, position}); },
-                 [&](const lang::Request& request) {
+                 [&](const lang::ProgramRequest& request) {
                    taken.changes_axes = request.kind == lang::RequestKind::spindle_to_axis;
                    take_request(command, request);
                  },
@@ -247,7 +247,7 @@ PathFeed::Refusal PathFeed::take_probing(const lang::Command& command,
   return take_move(command, line);
 }
 
-void PathFeed::take_request(const lang::Command& command, const lang::Request& request) {
+void PathFeed::take_request(const lang::Command& command, const lang::ProgramRequest& request) {
   has_given_ = true;
   end_chain();
   sink_->take_request(tag_of(command), request);

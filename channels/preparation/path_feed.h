@@ -96,7 +96,7 @@ class PathFeed {
   [[nodiscard]] Refusal take_transformation(const lang::Command& command,
                                             const lang::TransformationChange& change);
   void take_state(const lang::Command& command);
-  void take_request(const lang::Command& command, const lang::Request& request);
+  void take_request(const lang::Command& command, const lang::ProgramRequest& request);
   void take_output(const lang::Command& command, const lang::OutputCommand& output);
   void take_mark(const lang::Command& command, const lang::MarkCommand& mark);
   void take_end(const lang::Command& command, const lang::ProgramEnd& end);

@@ -255,7 +255,7 @@ Progress Preparation::interpret(const Guide& guide) {
     asks_ = false;
     switch (next_command()) {
       case lang::Step::command:
-        asks_ = std::holds_alternative<lang::Request>(parts_.command.payload);
+        asks_ = std::holds_alternative<lang::ProgramRequest>(parts_.command.payload);
         take_meanings();
         if (take(parts_.command)) progress = Progress::worked;
         break;

@@ -6,7 +6,7 @@ namespace {
 using lang::RequestKind;
 
 // What is asked of a channel.
-Request request_of_channel(const lang::Request& request) {
+Request request_of_channel(const lang::ProgramRequest& request) {
   const std::int32_t channel = request.channel;
   switch (request.kind) {
     case RequestKind::kinematics:
@@ -32,7 +32,7 @@ Request request_of_channel(const lang::Request& request) {
   }
 }
 
-Request request_of_shared(const lang::Request& request, const SharedVariables::Cell& cell) {
+Request request_of_shared(const lang::ProgramRequest& request, const SharedVariables::Cell& cell) {
   const ShortText text(request.value_text);
   switch (request.kind) {
     case RequestKind::shared_write:
@@ -47,7 +47,7 @@ Request request_of_shared(const lang::Request& request, const SharedVariables::C
   }
 }
 
-Request request_of_input(const lang::Request& request) {
+Request request_of_input(const lang::ProgramRequest& request) {
   if (request.analog) return requests::AnalogRead{request.number};
   return requests::InputWait{request.number, static_cast<requests::InputEvent>(request.index),
                              request.seconds};
@@ -55,7 +55,7 @@ Request request_of_input(const lang::Request& request) {
 
 }  // namespace
 
-Request table_request_of(const lang::Request& request) {
+Request table_request_of(const lang::ProgramRequest& request) {
   const requests::ToolRead tool{request.number, request.index, request.channel};
   const requests::OffsetRead offset{request.channel, request.number, request.index};
   switch (request.kind) {
@@ -72,7 +72,7 @@ Request table_request_of(const lang::Request& request) {
   }
 }
 
-Request request_of(const lang::Request& request, const SharedVariables& shared) {
+Request request_of(const lang::ProgramRequest& request, const SharedVariables& shared) {
   switch (request.kind) {
     case RequestKind::spindle_to_axis:
       return requests::SpindleToAxis{request.number};

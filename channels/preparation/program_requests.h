@@ -8,9 +8,10 @@
 namespace stanok::channels {
 
 // The program has declared the shared variable of a request for one.
-[[nodiscard]] Request request_of(const lang::Request& request, const SharedVariables& shared);
+[[nodiscard]] Request request_of(const lang::ProgramRequest& request,
+                                 const SharedVariables& shared);
 
 // Of a table of the machine; requests::Standstill where it is none of that kind.
-[[nodiscard]] Request table_request_of(const lang::Request& request);
+[[nodiscard]] Request table_request_of(const lang::ProgramRequest& request);
 
 }  // namespace stanok::channels

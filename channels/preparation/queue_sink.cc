@@ -42,7 +42,7 @@ void QueueSink::take_item(const Item& item) {
   pending_items_.back().after_rider = link_.riders.pushed() + pending_riders_.size();
 }
 
-void QueueSink::take_request(const motion::BlockTag& tag, const lang::Request& request) {
+void QueueSink::take_request(const motion::BlockTag& tag, const lang::ProgramRequest& request) {
   take_item({.tag = tag, .content = request_of(request, shared_)});
 }
 

@@ -31,7 +31,7 @@ class QueueSink final : public FeedSink {
   void take_segment(const motion::PathBuilder::Built& built) override;
   void take_thread(motion::ThreadChain&& chain) override;
   void take_item(const Item& item) override;
-  void take_request(const motion::BlockTag& tag, const lang::Request& request) override;
+  void take_request(const motion::BlockTag& tag, const lang::ProgramRequest& request) override;
   void take_rider(const Rider& rider) override { pending_riders_.push_back(rider); }
   void take_remark(const Remark& remark) override { pending_remarks_.push_back(remark); }
 

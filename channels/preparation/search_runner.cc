@@ -211,7 +211,7 @@ std::optional<Diagnostic> SearchRunner::pass(const lang::Command& command) {
   const auto taken = parts_.feed.pass(command, sink);
   if (!taken) return taken.error();
   note_motion(command, start_W);
-  if (const auto* request = std::get_if<lang::Request>(&command.payload))
+  if (const auto* request = std::get_if<lang::ProgramRequest>(&command.payload))
     return pass_request(command, *request);
   return std::nullopt;
 }
@@ -234,7 +234,7 @@ void SearchRunner::note_motion(const lang::Command& command, const motion::Point
 }
 
 std::optional<Diagnostic> SearchRunner::pass_request(const lang::Command& command,
-                                                     const lang::Request& request) {
+                                                     const lang::ProgramRequest& request) {
   auto answer = answer_of_tables(request);
   if (!answer) answer = search_->collector.answer(request);
   if (!answer) return lang::answer_is_unknown(*parts_.program, command.origin);
@@ -252,7 +252,8 @@ std::optional<Diagnostic> SearchRunner::pass_request(const lang::Command& comman
 }
 
 // Tables are read as they were when the search began; nothing: this is no question to them.
-std::optional<lang::Answer> SearchRunner::answer_of_tables(const lang::Request& request) const {
+std::optional<lang::Answer> SearchRunner::answer_of_tables(
+    const lang::ProgramRequest& request) const {
   std::optional<double> value;
   if (request.kind == lang::RequestKind::tool_table_read) {
     value = parts_.tables.view().tool_value(request.number, request.index, request.channel);

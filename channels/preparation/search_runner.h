@@ -55,8 +55,9 @@ class SearchRunner {
   [[nodiscard]] Result arrive();
   [[nodiscard]] std::optional<Diagnostic> pass(const lang::Command& command);
   [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Command& command,
-                                                       const lang::Request& request);
-  [[nodiscard]] std::optional<lang::Answer> answer_of_tables(const lang::Request& request) const;
+                                                       const lang::ProgramRequest& request);
+  [[nodiscard]] std::optional<lang::Answer> answer_of_tables(
+      const lang::ProgramRequest& request) const;
   [[nodiscard]] std::optional<Diagnostic> obstacle_at_target() const;
   void note_motion(const lang::Command& command, const motion::Point& start_W);
   [[nodiscard]] Approach approach_to_target(const motion::Point& target) const;

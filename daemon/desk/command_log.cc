@@ -12,13 +12,13 @@ using nlohmann::json;
 constexpr std::size_t parameters_bytes_max = 1000;  // of a record
 
 // A jog is renewed many times a second: what it is told by is its axis moving.
-bool is_remembered(const protocol::Request& request) {
+bool is_remembered(const protocol::RpcRequest& request) {
   return request.method != "jog" && request.method != "program.retrace";
 }
 
 }  // namespace
 
-void CommandLog::note(const Asker& asker, const protocol::Request& request,
+void CommandLog::note(const Asker& asker, const protocol::RpcRequest& request,
                       const CommandResult& outcome) const {
   const std::string parameters = protocol::json_text(request.parameters);
   if (outcome) {

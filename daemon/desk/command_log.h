@@ -24,7 +24,7 @@ class CommandLog {
   // `journal` outlives the log; nullptr: there is none.
   explicit CommandLog(Journal* journal) : journal_(journal) {}
 
-  void note(const Asker& asker, const protocol::Request& request,
+  void note(const Asker& asker, const protocol::RpcRequest& request,
             const CommandResult& outcome) const;
   // Somebody has seen the alarms of a channel up to this number.
   void note_seen(int channel, std::uint64_t number) const;

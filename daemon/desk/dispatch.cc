@@ -258,7 +258,7 @@ const std::map<std::string_view, Dispatch::Handler>& Dispatch::handlers() {
   return table;
 }
 
-void Dispatch::handle(SessionState& session, const protocol::Request& request, Answer answer) {
+void Dispatch::handle(SessionState& session, const protocol::RpcRequest& request, Answer answer) {
   const Method* method = protocol::find_method(request.method);
   const auto parameters = admitted_parameters(machine_.file(), session.role, method, request);
   if (!parameters) return answer(Unexpected<Failure>(parameters.error()));
@@ -351,7 +351,7 @@ void Dispatch::load_tables(Call call) {
   const auto name = call.parameters.value("file", std::string("tables"));
   const auto log_and_answer = [this, who = asker_of(call.session), name,
                                answer = std::move(call.answer)](const CommandResult& outcome) {
-    protocol::Request request;
+    protocol::RpcRequest request;
     request.method = "tool.load";
     request.parameters = {{"file", name}};
     command_log().note(who, request, outcome);
@@ -384,7 +384,7 @@ void Dispatch::undo_touch(Call call) {
 
 // An answer that leaves an entry in the log, with `shown` for the parameters: texts are long.
 Answer Dispatch::logged(const Call& call, Answer answer, json shown) const {
-  protocol::Request request;
+  protocol::RpcRequest request;
   request.method = call.request.method;
   request.parameters = std::move(shown);
   return [this, who = asker_of(call.session), request = std::move(request),

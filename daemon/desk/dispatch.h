@@ -60,7 +60,7 @@ class Dispatch {
            std::function<void()> on_shutdown);
 
   // Calls `answer` once, now or later; the session may be gone by then.
-  void handle(SessionState& session, const protocol::Request& request, Answer answer);
+  void handle(SessionState& session, const protocol::RpcRequest& request, Answer answer);
 
   void on_reply(const channels::OperatorReply& reply) { desk_.on_reply(reply); }
   void on_event(const channels::Event& event) { measurements_.take(event); }
@@ -91,7 +91,7 @@ class Dispatch {
   struct Call {
     SessionState& session;
     const protocol::Method& method;
-    const protocol::Request& request;
+    const protocol::RpcRequest& request;
     const nlohmann::json& parameters;
     Answer answer;
   };

@@ -31,7 +31,7 @@ bool concerns_machine(const protocol::Method& method) {
 
 Expected<json, Failure> admitted_parameters(const config::MachineFile& file, protocol::Role role,
                                             const protocol::Method* method,
-                                            const protocol::Request& request) {
+                                            const protocol::RpcRequest& request) {
   if (method == nullptr) {
     return not_admitted(FailureKind::method_not_found, "E9002",
                         "there is no method \"" + request.method + "\"");

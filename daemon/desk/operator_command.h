@@ -16,7 +16,7 @@ namespace stanok::daemon {
 // The checked parameters, if the role may call the method and the channel exists.
 [[nodiscard]] Expected<nlohmann::json, protocol::Failure> admitted_parameters(
     const config::MachineFile& file, protocol::Role role, const protocol::Method* method,
-    const protocol::Request& request);
+    const protocol::RpcRequest& request);
 
 // The method has an action.
 [[nodiscard]] Expected<channels::OperatorEvent, protocol::Failure> operator_event(

@@ -17,7 +17,7 @@ CommandResult refused_stop(const char* code, std::string text, int channel) {
 
 }  // namespace
 
-bool StopDesk::take(protocol::Role role, const protocol::Request& request, Answer answer) {
+bool StopDesk::take(protocol::Role role, const protocol::RpcRequest& request, Answer answer) {
   const protocol::Method* method = protocol::find_method(request.method);
   if (method == nullptr || method->effect != protocol::Effect::stops) return false;
   const auto parameters = admitted_parameters(machine_.file(), role, method, request);

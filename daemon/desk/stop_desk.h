@@ -24,7 +24,7 @@ class StopDesk {
 
   // False: the request is no stop. Else it is in the cycle's queue by then, or refused; `answer` is
   // called once, now or later.
-  [[nodiscard]] bool take(protocol::Role role, const protocol::Request& request, Answer answer);
+  [[nodiscard]] bool take(protocol::Role role, const protocol::RpcRequest& request, Answer answer);
   // The machine as a whole, without an answer.
   void order(const channels::OperatorCommand& command);
 

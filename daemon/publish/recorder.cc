@@ -44,7 +44,7 @@ Recorder::Recorder(const config::MachineFile& file, const std::string& build,
       refresh_period_(std::max<std::int64_t>(1, refresh_period_us / file.machine.cycle_us)) {
   std::vector<recording::MessageSink*> sinks{&logs_.sink()};
   if (options.lcm_url) {
-    publisher_ = std::make_unique<recording::Publisher>(*options.lcm_url);
+    publisher_ = std::make_unique<recording::LcmPublisher>(*options.lcm_url);
     if (!publisher_->good()) {
       spdlog::warn("LCM {} cannot be opened; nothing is published", publisher_->status().url);
     }

@@ -24,8 +24,8 @@
 #include "daemon/publish/log_retention.h"
 #include "daemon/publish/publisher_thread.h"
 #include "recording/log/flight_recorder.h"
+#include "recording/stream/lcm_publisher.h"
 #include "recording/stream/message_stream.h"
-#include "recording/stream/publisher.h"
 
 namespace stanok::daemon {
 
@@ -81,7 +81,7 @@ class Recorder final : public CycleListener {
 
   LogRetention retention_;
   LogFiles logs_;
-  std::unique_ptr<recording::Publisher> publisher_;
+  std::unique_ptr<recording::LcmPublisher> publisher_;
   std::unique_ptr<recording::FlightRecorder> flight_;
   std::unique_ptr<recording::MessageStream> stream_;
   std::int64_t cycle_ = 0;             // of the latest output

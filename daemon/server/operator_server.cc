@@ -59,17 +59,17 @@ struct OperatorServer::Parts final : Counter {
 
   // From the reception's thread.
   void on_arrival(std::shared_ptr<Session> session) override;
-  void on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
+  void on_frame(std::shared_ptr<Session> session, protocol::TextFrame frame,
                 const AskedAt& asked_at) override;
   void on_departure(int session) override;
-  void on_stop_answered(const Asker& asker, const protocol::Request& request,
+  void on_stop_answered(const Asker& asker, const protocol::RpcRequest& request,
                         const CommandResult& outcome) override {
     dispatch.command_log().note(asker, request, outcome);
   }
   void on_stop_accepted(const channels::OperatorEvent& stop) override;
   void on_end() override { io.stop(); }
 
-  void answer_frame(const std::shared_ptr<Session>& session, const protocol::Frame& frame,
+  void answer_frame(const std::shared_ptr<Session>& session, const protocol::TextFrame& frame,
                     const AskedAt& asked_at);
   void serve_turns();
   void serve_turn();
@@ -97,7 +97,7 @@ void OperatorServer::Parts::on_arrival(std::shared_ptr<Session> session) {
              [this, session = std::move(session)] { sessions.emplace(session->id(), session); });
 }
 
-void OperatorServer::Parts::on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
+void OperatorServer::Parts::on_frame(std::shared_ptr<Session> session, protocol::TextFrame frame,
                                      const AskedAt& asked_at) {
   asio::post(io, [this, session = std::move(session), frame = std::move(frame), asked_at] {
     const auto precedence =
@@ -151,7 +151,8 @@ void OperatorServer::Parts::on_stop_accepted(const channels::OperatorEvent& stop
 }
 
 void OperatorServer::Parts::answer_frame(const std::shared_ptr<Session>& session,
-                                         const protocol::Frame& frame, const AskedAt& asked_at) {
+                                         const protocol::TextFrame& frame,
+                                         const AskedAt& asked_at) {
   const auto request = protocol::parse_request(frame.text);
   if (!request) {
     return session->send_soon(protocol::failure_line(request.error().id, request.error().failure));

@@ -96,8 +96,8 @@ struct Reception::Parts {
 
   void accept();
   void admit(LocalSocket::socket socket);
-  void take_frame(Session& session, const protocol::Frame& frame);
-  [[nodiscard]] bool take_stop(Session& session, const protocol::Frame& frame);
+  void take_frame(Session& session, const protocol::TextFrame& frame);
+  [[nodiscard]] bool take_stop(Session& session, const protocol::TextFrame& frame);
   void forget(int id);
   void await_signal();
   void begin_end(const std::string& why);
@@ -148,8 +148,9 @@ void Reception::Parts::admit(LocalSocket::socket socket) {
   const bool has_room =
       reserve.is_full() && (sessions.places_taken() < limits.clients_max || sessions.make_room());
   sessions.add(session);
-  session->start([this](Session& from, const protocol::Frame& frame) { take_frame(from, frame); },
-                 [this](int id) { forget(id); });
+  session->start(
+      [this](Session& from, const protocol::TextFrame& frame) { take_frame(from, frame); },
+      [this](int id) { forget(id); });
   if (has_room) {
     session->send(protocol::notification_line("hello", greeting(machine, session->state())));
     counter.on_arrival(session);
@@ -166,7 +167,7 @@ void Reception::Parts::forget(int id) {
   counter.on_departure(id);
 }
 
-void Reception::Parts::take_frame(Session& session, const protocol::Frame& frame) {
+void Reception::Parts::take_frame(Session& session, const protocol::TextFrame& frame) {
   if (frame.kind == protocol::FrameKind::oversize) return session.send(oversize_answer());
   if (take_stop(session, frame) || session.is_turned_away()) return;
   session.note_frame_handed_on();
@@ -174,7 +175,7 @@ void Reception::Parts::take_frame(Session& session, const protocol::Frame& frame
 }
 
 // False: it is none. What cannot be read is answered where all requests are.
-bool Reception::Parts::take_stop(Session& session, const protocol::Frame& frame) {
+bool Reception::Parts::take_stop(Session& session, const protocol::TextFrame& frame) {
   if (frame.text.size() > stop_bytes_max) return false;
   const auto request = protocol::parse_request(frame.text);
   if (!request) return false;

@@ -40,10 +40,10 @@ class Counter {
 
   virtual void on_arrival(std::shared_ptr<Session> session) = 0;
   // To be told when it is done with: Session::frame_is_done_soon.
-  virtual void on_frame(std::shared_ptr<Session> session, protocol::Frame frame,
+  virtual void on_frame(std::shared_ptr<Session> session, protocol::TextFrame frame,
                         const AskedAt& asked_at) = 0;
   virtual void on_departure(int session) = 0;
-  virtual void on_stop_answered(const Asker& asker, const protocol::Request& request,
+  virtual void on_stop_answered(const Asker& asker, const protocol::RpcRequest& request,
                                 const CommandResult& outcome) = 0;
   virtual void on_stop_accepted(const channels::OperatorEvent& stop) = 0;
   // The orderly end is over.

@@ -26,7 +26,7 @@ class Session : public std::enable_shared_from_this<Session> {
  public:
   using Socket = boost::asio::local::stream_protocol::socket;
   using Time = std::chrono::steady_clock::time_point;
-  using OnFrame = std::function<void(Session& session, const protocol::Frame& frame)>;
+  using OnFrame = std::function<void(Session& session, const protocol::TextFrame& frame)>;
   using OnEnd = std::function<void(int id)>;
 
   // Takes role and peer of the connection's credentials. `panel_user` may do everything, as who

@@ -13,11 +13,11 @@ BusDrive::BusDrive(const AxisDriveConfig& config, BusTime poll, BusTime timeout)
       image_(checked_size(register_count(config.map))),
       patience_(timeout) {}
 
-std::span<const Request> BusDrive::requests_to_look() const {
-  return exchange_.has_answered() ? std::span<const Request>{} : look_;
+std::span<const ModbusRequest> BusDrive::requests_to_look() const {
+  return exchange_.has_answered() ? std::span<const ModbusRequest>{} : look_;
 }
 
-std::span<const Request> BusDrive::requests_for(const DriveTarget& target, TargetAge age) {
+std::span<const ModbusRequest> BusDrive::requests_for(const DriveTarget& target, TargetAge age) {
   write_block(config_.map, exchange_.command(target, age), image_);
   return exchange_.write_order() == WriteOrder::target_first ? run_ : stop_;
 }

@@ -19,9 +19,10 @@ class BusDrive {
   BusDrive(const AxisDriveConfig& config, BusTime poll, BusTime timeout);
 
   // The requests that only look at the drive; empty: it has answered before.
-  [[nodiscard]] std::span<const Request> requests_to_look() const;
+  [[nodiscard]] std::span<const ModbusRequest> requests_to_look() const;
   // Those that bring it the target, which is then in the image.
-  [[nodiscard]] std::span<const Request> requests_for(const DriveTarget& target, TargetAge age);
+  [[nodiscard]] std::span<const ModbusRequest> requests_for(const DriveTarget& target,
+                                                            TargetAge age);
   // What the requests have brought, or the error that ended them.
   [[nodiscard]] std::optional<ExchangeError> take(std::optional<ExchangeError> error, BusTime asked,
                                                   BusTime now);
@@ -43,9 +44,9 @@ class BusDrive {
  private:
   AxisDriveConfig config_;
   AxisExchange exchange_;
-  std::vector<Request> look_;
-  std::vector<Request> run_;   // to let it move
-  std::vector<Request> stop_;  // to stop it
+  std::vector<ModbusRequest> look_;
+  std::vector<ModbusRequest> run_;   // to let it move
+  std::vector<ModbusRequest> stop_;  // to stop it
   std::vector<std::uint16_t> image_;
   Patience patience_;
   BusTime again_at_{0};  // after a try that failed

@@ -63,20 +63,21 @@ std::vector<RegisterRun> read_runs(const AxisDriveConfig& drive) {
   return runs;
 }
 
-void add_writes(std::span<const RegisterRun> runs, RequestStyle style, std::vector<Request>& plan) {
+void add_writes(std::span<const RegisterRun> runs, RequestStyle style,
+                std::vector<ModbusRequest>& plan) {
   const Function function =
       style == RequestStyle::write_single ? Function::write_register : Function::write_registers;
   for (const RegisterRun& run : runs) plan.push_back({.function = function, .written = run});
 }
 
-void add_reads(std::span<const RegisterRun> runs, std::vector<Request>& plan) {
+void add_reads(std::span<const RegisterRun> runs, std::vector<ModbusRequest>& plan) {
   for (const RegisterRun& run : runs)
     plan.push_back({.function = Function::read_registers, .read = run});
 }
 
 }  // namespace
 
-std::vector<Request> exchange_plan(const AxisDriveConfig& drive, WriteOrder order) {
+std::vector<ModbusRequest> exchange_plan(const AxisDriveConfig& drive, WriteOrder order) {
   const std::vector<RegisterRun> writes = written_runs(drive, order);
   const std::vector<RegisterRun> reads = read_runs(drive);
   const std::span<const RegisterRun> written = writes;
@@ -84,7 +85,7 @@ std::vector<Request> exchange_plan(const AxisDriveConfig& drive, WriteOrder orde
   const bool pairs_up = drive.requests == RequestStyle::write_and_read;
   const std::size_t pairs = pairs_up ? std::min(written.size(), read.size()) : 0;
   const std::size_t alone = written.size() - pairs;
-  std::vector<Request> plan;
+  std::vector<ModbusRequest> plan;
   add_writes(written.first(alone), drive.requests, plan);
   for (std::size_t k = 0; k < pairs; ++k) {
     plan.push_back({.function = Function::write_and_read_registers,
@@ -95,8 +96,8 @@ std::vector<Request> exchange_plan(const AxisDriveConfig& drive, WriteOrder orde
   return plan;
 }
 
-std::vector<Request> look_plan(const AxisDriveConfig& drive) {
-  std::vector<Request> plan;
+std::vector<ModbusRequest> look_plan(const AxisDriveConfig& drive) {
+  std::vector<ModbusRequest> plan;
   add_reads(read_runs(drive), plan);
   return plan;
 }

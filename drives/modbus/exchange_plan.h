@@ -33,20 +33,20 @@ enum class Function : std::uint8_t {
   write_and_read_registers = 23,
 };
 
-struct Request {
+struct ModbusRequest {
   Function function = Function::read_registers;
   RegisterRun written{};  // count 0: nothing
   RegisterRun read{};     // count 0: nothing
 
-  bool operator==(const Request&) const = default;
+  bool operator==(const ModbusRequest&) const = default;
 };
 
 enum class WriteOrder : std::uint8_t { target_first, control_word_first };
 
-[[nodiscard]] std::vector<Request> exchange_plan(const AxisDriveConfig& drive,
-                                                 WriteOrder order = WriteOrder::target_first);
+[[nodiscard]] std::vector<ModbusRequest> exchange_plan(const AxisDriveConfig& drive,
+                                                       WriteOrder order = WriteOrder::target_first);
 
 // Only reads: how a drive is asked that has never answered.
-[[nodiscard]] std::vector<Request> look_plan(const AxisDriveConfig& drive);
+[[nodiscard]] std::vector<ModbusRequest> look_plan(const AxisDriveConfig& drive);
 
 }  // namespace stanok::drives

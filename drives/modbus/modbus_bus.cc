@@ -237,7 +237,7 @@ std::optional<ExchangeError> ModbusBus::exchange(std::size_t place, TargetAge ag
 }
 
 std::optional<ExchangeError> ModbusBus::carry_out(BusDrive& drive,
-                                                  std::span<const Request> requests) {
+                                                  std::span<const ModbusRequest> requests) {
   connection_.link().wait_at_most(drive.patience().for_next_answer());
   const BusTime begin = clock_.now();
   const auto sent = connection_.link().exchange(drive.unit(), requests, drive.image());

@@ -69,7 +69,7 @@ class ModbusBus final : public DriveBus {
   [[nodiscard]] std::optional<ExchangeError> exchange(SignalBlock& block, Patience& patience);
   [[nodiscard]] std::optional<ExchangeError> exchange(std::size_t place, TargetAge age);
   [[nodiscard]] std::optional<ExchangeError> carry_out(BusDrive& drive,
-                                                       std::span<const Request> requests);
+                                                       std::span<const ModbusRequest> requests);
   [[nodiscard]] bool ensure_connected();
   void note_answer(std::optional<ExchangeError> error, BusTime round_trip, Patience& patience);
   [[nodiscard]] TargetAge target_age();

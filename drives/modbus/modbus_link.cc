@@ -106,13 +106,13 @@ void ModbusLink::close() {
   }
 }
 
-std::optional<ExchangeError> ModbusLink::exchange(int unit, std::span<const Request> requests,
+std::optional<ExchangeError> ModbusLink::exchange(int unit, std::span<const ModbusRequest> requests,
                                                   std::span<std::uint16_t> image) {
   if (!connected_) {
     return ExchangeError::not_connected;
   }
   modbus_set_slave(context_.get(), unit);
-  for (const Request& request : requests) {
+  for (const ModbusRequest& request : requests) {
     forget_what_was_not_asked();
     errno = 0;
     const bool is_done =
@@ -192,7 +192,7 @@ int ModbusLink::carry_out(SignalBlock& block) {
 }
 
 // False: libmodbus set errno, or, with errno 0, the answer has not the length that was asked for.
-bool ModbusLink::carry_out(const Request& request, std::span<std::uint16_t> image) {
+bool ModbusLink::carry_out(const ModbusRequest& request, std::span<std::uint16_t> image) {
   const RegisterRun& written = request.written;
   const RegisterRun& read = request.read;
   std::uint16_t* const registers = image.data();

@@ -41,9 +41,8 @@ class ModbusLink {
 
   // Makes the requests in their order until one fails. What is written comes from the image of
   // the registers (register n at place n), what is read goes there.
-  [[nodiscard]] virtual std::optional<ExchangeError> exchange(int unit,
-                                                              std::span<const Request> requests,
-                                                              std::span<std::uint16_t> image);
+  [[nodiscard]] virtual std::optional<ExchangeError> exchange(
+      int unit, std::span<const ModbusRequest> requests, std::span<std::uint16_t> image);
 
   // Reads the inputs of the block, or writes its outputs.
   [[nodiscard]] virtual std::optional<ExchangeError> exchange(SignalBlock& block);
@@ -52,7 +51,7 @@ class ModbusLink {
 
  private:
   // On a serial line, whose answers libmodbus looks at itself.
-  [[nodiscard]] bool carry_out(const Request& request, std::span<std::uint16_t> image);
+  [[nodiscard]] bool carry_out(const ModbusRequest& request, std::span<std::uint16_t> image);
   [[nodiscard]] int carry_out(SignalBlock& block);
   [[nodiscard]] ExchangeError give_up();
   [[nodiscard]] bool is_answer_of_before(int error_number) const;

@@ -125,7 +125,7 @@ bool TcpExchange::read_registers(modbus_t& context, std::span<std::uint16_t> int
   return true;
 }
 
-bool TcpExchange::carry_out(modbus_t& context, int unit, const Request& request,
+bool TcpExchange::carry_out(modbus_t& context, int unit, const ModbusRequest& request,
                             std::span<std::uint16_t> image) {
   const auto part = [&](const RegisterRun& run) {
     return image.subspan(place_of(run.first), place_of(run.count));

@@ -23,7 +23,7 @@ namespace stanok::drives {
 class TcpExchange {
  public:
   // What is written comes from the image of the registers, what is read goes there. False: errno.
-  [[nodiscard]] bool carry_out(modbus_t& context, int unit, const Request& request,
+  [[nodiscard]] bool carry_out(modbus_t& context, int unit, const ModbusRequest& request,
                                std::span<std::uint16_t> image);
   [[nodiscard]] bool carry_out(modbus_t& context, SignalBlock& block);
 

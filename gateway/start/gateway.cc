@@ -11,7 +11,7 @@
 #include <exception>
 #include <thread>
 
-#include "gateway/broker/publisher.h"
+#include "gateway/broker/broker_publisher.h"
 #include "gateway/cell/machine_reader.h"
 #include "gateway/cell/state_board.h"
 #include "gateway/history/history_writer.h"
@@ -24,7 +24,7 @@ namespace asio = boost::asio;
 
 std::vector<std::string> consumers_of(const GatewayOptions& options) {
   std::vector<std::string> consumers;
-  if (options.has_broker) consumers.emplace_back(Publisher::consumer);
+  if (options.has_broker) consumers.emplace_back(BrokerPublisher::consumer);
   if (!options.history.empty()) consumers.emplace_back(HistoryWriter::consumer);
   return consumers;
 }
@@ -57,7 +57,7 @@ void run_gateway(const GatewayOptions& options) {
   std::jthread publisher;
   if (options.has_broker) {
     publisher = std::jthread([&](const std::stop_token& stop) {
-      Publisher(options.broker, options.prefix, options.outbox(), board).run(stop);
+      BrokerPublisher(options.broker, options.prefix, options.outbox(), board).run(stop);
     });
   }
   std::jthread sparkplug;

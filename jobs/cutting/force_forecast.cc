@@ -62,9 +62,9 @@ class ForecastRun {
     const auto take = [&](const lang::Command& command, const motion::PathBlock* block) {
       follow(command, block);
     };
-    const auto result =
-        dry_run.run(job.program, Reachability::unchecked, take,
-                    [](const lang::Request&, const lang::Command&) {}, {.gives_up = job.gives_up});
+    const auto result = dry_run.run(job.program, Reachability::unchecked, take,
+                                    [](const lang::ProgramRequest&, const lang::Command&) {},
+                                    {.gives_up = job.gives_up});
     for (const Diagnostic& diagnostic : result.diagnostics) job.tell(diagnostic);
     if (has_errors(result.diagnostics)) throw std::runtime_error(job.program + " has errors");
     if (job.gives_up()) throw std::runtime_error(job.program + " was not followed to its end");

@@ -193,7 +193,7 @@ DryRunResult DryRun::run_from(const std::string& program, const Beginning& begin
   }
   found(collector.state(), {place->file, place->line});
   sink_.begin(program_, channels::FeedDepth::positions, record);
-  go_on([](const lang::Request&, const lang::Command&) {}, result);
+  go_on([](const lang::ProgramRequest&, const lang::Command&) {}, result);
   return result;
 }
 
@@ -207,7 +207,7 @@ std::optional<Diagnostic> DryRun::search(const lang::StopPlace& place,
     switch (interpreter_.next(command)) {
       case lang::Step::command:
         if (const auto taken = feed_.pass(command, sink); !taken) return taken.error();
-        if (const auto* request = std::get_if<lang::Request>(&command.payload)) {
+        if (const auto* request = std::get_if<lang::ProgramRequest>(&command.payload)) {
           if (auto unknown = pass_request(*request, command, collector)) return unknown;
         }
         break;
@@ -226,7 +226,7 @@ std::optional<Diagnostic> DryRun::search(const lang::StopPlace& place,
 
 // A request is not executed, tables are those of the dry run; where the program goes on with a
 // value of the machine, the search ends.
-std::optional<Diagnostic> DryRun::pass_request(const lang::Request& request,
+std::optional<Diagnostic> DryRun::pass_request(const lang::ProgramRequest& request,
                                                const lang::Command& command,
                                                const lang::SearchCollector& collector) {
   auto answer = is_table_request(request.kind) ? std::optional(answer_of(request))
@@ -255,7 +255,7 @@ bool DryRun::take(const lang::Command& command, const RequestSink& request,
     lang::put_at_block(*program_, command.origin, *advice);
     diagnostics.push_back(std::move(*advice));
   }
-  if (const auto* wish = std::get_if<lang::Request>(&command.payload))
+  if (const auto* wish = std::get_if<lang::ProgramRequest>(&command.payload))
     take_request(command, *wish, request);
   return taken->gives;
 }
@@ -277,7 +277,7 @@ void DryRun::note_plane(const lang::Command& command) {
   judges_.planes.note(place, from_B, to_B);
 }
 
-void DryRun::take_request(const lang::Command& command, const lang::Request& request,
+void DryRun::take_request(const lang::Command& command, const lang::ProgramRequest& request,
                           const RequestSink& sink) {
   const bool own = request.kind == lang::RequestKind::kinematics && request.channel == channel_.id;
   if (own) {
@@ -294,7 +294,7 @@ void DryRun::take_request(const lang::Command& command, const lang::Request& req
 }
 
 // Tables are those of this run; everything else is taken for done.
-lang::Answer DryRun::answer_of(const lang::Request& request) {
+lang::Answer DryRun::answer_of(const lang::ProgramRequest& request) {
   lang::Answer answer;
   answer.ok = request.kind != lang::RequestKind::program_restart;
   if (!is_table_request(request.kind)) return answer;

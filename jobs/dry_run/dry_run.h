@@ -26,7 +26,8 @@
 namespace stanok::jobs {
 
 // What a dry run does at a request to another channel.
-using RequestSink = std::function<void(const lang::Request& request, const lang::Command& command)>;
+using RequestSink =
+    std::function<void(const lang::ProgramRequest& request, const lang::Command& command)>;
 
 struct DryRunResult {
   Diagnostics diagnostics;  // errors, and warnings of the load
@@ -79,15 +80,15 @@ class DryRun {
   [[nodiscard]] bool may_go_on(const lang::Command& command, Diagnostics& diagnostics);
   [[nodiscard]] std::optional<Diagnostic> search(const lang::StopPlace& place,
                                                  lang::SearchCollector& collector);
-  [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::Request& request,
+  [[nodiscard]] std::optional<Diagnostic> pass_request(const lang::ProgramRequest& request,
                                                        const lang::Command& command,
                                                        const lang::SearchCollector& collector);
   [[nodiscard]] bool take(const lang::Command& command, const RequestSink& request,
                           Diagnostics& diagnostics);
   void note_plane(const lang::Command& command);
-  void take_request(const lang::Command& command, const lang::Request& request,
+  void take_request(const lang::Command& command, const lang::ProgramRequest& request,
                     const RequestSink& sink);
-  [[nodiscard]] lang::Answer answer_of(const lang::Request& request);
+  [[nodiscard]] lang::Answer answer_of(const lang::ProgramRequest& request);
   void switch_scheme(int id);
 
   const channels::ChannelConfig& channel_;

@@ -25,7 +25,7 @@ class Check {
     DryRun dry_run(machine_, channel, scheme, files_);
     auto result = dry_run.run(
         program, Reachability::checked, [](const lang::Command&, const motion::PathBlock*) {},
-        [&](const lang::Request& request, const lang::Command&) {
+        [&](const lang::ProgramRequest& request, const lang::Command&) {
           if (request.kind == lang::RequestKind::kinematics)
             schemes[request.channel] = request.number;
           const bool dispatches = request.kind == lang::RequestKind::channel_run ||
@@ -58,7 +58,7 @@ class Check {
       DryRun dry_run(machine, channel, scheme, blanked);
       auto result = dry_run.run(
           program, Reachability::checked, [](const lang::Command&, const motion::PathBlock*) {},
-          [](const lang::Request&, const lang::Command&) {}, manner_);
+          [](const lang::ProgramRequest&, const lang::Command&) {}, manner_);
       errors = std::move(result.diagnostics);
       if (!result.loaded) continue;
       for (Diagnostic& fault : errors) {

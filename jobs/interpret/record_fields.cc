@@ -284,7 +284,7 @@ struct RecordFields {
     kind("end");
     count("code", static_cast<int>(ending.kind));
   }
-  void operator()(const lang::Request& request) const {
+  void operator()(const lang::ProgramRequest& request) const {
     const bool dispatch = request.kind != lang::RequestKind::sync;
     kind(dispatch ? "channel" : "sync");
     name("what", request_names[request.kind]);

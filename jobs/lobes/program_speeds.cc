@@ -25,7 +25,7 @@ ProgramSpeeds program_speeds(const ProgramSpeedsRequest& request) {
     }
   };
   DryRunResult result = dry_run.run(request.program, Reachability::unchecked, take,
-                                    [](const lang::Request&, const lang::Command&) {});
+                                    [](const lang::ProgramRequest&, const lang::Command&) {});
   const bool is_program = !has_errors(result.diagnostics);
   ProgramSpeeds found{.diagnostics = std::move(result.diagnostics), .rev_per_min = {}};
   if (is_program) found.rev_per_min.assign(speeds.begin(), speeds.end());

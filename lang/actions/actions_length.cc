@@ -28,7 +28,7 @@ void change_length(ActiveBlock& block, const ToolLength& wanted) {
   block.modal.tool.length = after;
   block.queue.emit(after);
   if (before.mode == LengthMode::tip || after.mode == LengthMode::tip) {
-    block.queue.emit(Request{});
+    block.queue.emit(ProgramRequest{});
     block.awaits_position = true;
     return;
   }

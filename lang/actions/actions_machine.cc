@@ -43,7 +43,7 @@ void switch_and_wait(ActiveBlock& block, const UserCode& output) {
   if (output.feedback < 0) return;
   constexpr int while_on = 3;  // L of M66
   constexpr int while_off = 4;
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::input_wait;
   request.number = output.feedback;
   request.index = output.on ? while_on : while_off;
@@ -242,7 +242,7 @@ void stop_program(ActiveBlock& block, CodeNumber code) {
                                        : StopKind::pallet_stop;
   block.queue.emit(ProgramStop{kind});
   const bool goes_on = block.modal.compensation.on() && kind != StopKind::pallet_stop;
-  if (!goes_on) block.queue.emit(Request{});
+  if (!goes_on) block.queue.emit(ProgramRequest{});
 }
 
 void end_program(ActiveBlock& block, CodeNumber code) {
@@ -286,7 +286,7 @@ void send_machine_function(ActiveBlock& block, CodeNumber code) {
   if (block.has('P')) function.p = block.value('P');
   if (block.has('Q')) function.q = block.value('Q');
   block.queue.emit(function);
-  if (output.waits) block.queue.emit(Request{});
+  if (output.waits) block.queue.emit(ProgramRequest{});
 }
 
 // M99 P10 goes on with N10 of the caller.

@@ -100,7 +100,7 @@ void go_and_touch(ActiveBlock& block, AxisIndex axis) {
   touch.line.end[axis] = place + direction * measuring.within_mm;
   advance_position(block, touch.line);
   block.queue.emit(touch);
-  Request result;
+  ProgramRequest result;
   result.kind = RequestKind::probe_result;
   result.statement = true;
   block.queue.emit(result);
@@ -174,7 +174,7 @@ void probe(ActiveBlock& block, CodeNumber code) {
   if (block.failed()) return;
   advance_position(block, move.line);
   block.queue.emit(move);
-  Request result;
+  ProgramRequest result;
   result.kind = RequestKind::probe_result;
   result.statement = move.alarm_when_missed;
   block.queue.emit(result);

@@ -49,7 +49,7 @@ void take_tap_out(ActiveBlock& block) {
   for (const int spindle : block.channel.spindles) {
     if (spindle_turns(block, spindle)) turn_spindle(block, spindle, SpindleAction::stop);
   }
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::tap_out;
   block.queue.emit(request);
   block.awaits_position = true;

@@ -88,7 +88,7 @@ void wait_for_input(ActiveBlock& block, CodeNumber code) {
         .help.push_back("give seconds, e.g. `Q5`");
     return;
   }
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::input_wait;
   request.number = *number;
   request.index = *mode;

@@ -64,7 +64,7 @@ bool excludes_conversion(ActiveBlock& block, CodeNumber code) {
 void give_back(ActiveBlock& block, AxisIndex axis) {
   block.modal.spindles.converted_axes =
       static_cast<AxisSet>(block.modal.spindles.converted_axes & ~axis_bit(axis));
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::axis_to_spindle;
   request.number = block.channel.axes[axis].spindle;
   block.queue.emit(request);
@@ -138,7 +138,7 @@ void make_axis_of_spindle(ActiveBlock& block, CodeNumber code) {
   if (spindle_turns(block, spindle)) turn_spindle(block, spindle, SpindleAction::stop);
   block.modal.spindles.converted_axes =
       static_cast<AxisSet>(block.modal.spindles.converted_axes | axis_bit(*axis));
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::spindle_to_axis;
   request.number = spindle;
   block.queue.emit(request);

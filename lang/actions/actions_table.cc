@@ -182,7 +182,7 @@ void write_tool_length_here(ActiveBlock& block, LengthSystem system) {
 }  // namespace
 
 void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double value, int edge) {
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::tool_table_write;
   request.channel = tool_value_number(parameter);
   request.number = tool;
@@ -194,7 +194,7 @@ void write_tool(ActiveBlock& block, int tool, std::string_view parameter, double
 
 void write_offset(ActiveBlock& block, int page, std::string_view parameter, int axis,
                   double value) {
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::offset_table_write;
   request.channel = 1;  // the channel's own table
   request.number = page;

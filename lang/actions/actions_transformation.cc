@@ -25,7 +25,7 @@ void change(ActiveBlock& block, const TransformationChange& transformation) {
   block.modal.transformation.axis = transformation.rotary_axis;
   block.modal.transformation.cylinder_radius_mm = transformation.radius_mm;
   block.queue.emit(transformation);
-  block.queue.emit(Request{});
+  block.queue.emit(ProgramRequest{});
   block.awaits_position = true;
 }
 

@@ -323,7 +323,7 @@ void HoleMoves::bore_up_to_hand() {
   block_.modal.cycles.drilling.hole = block_.modal.position_W;
   block_.queue.emit(SpindleCommand{});
   block_.queue.emit(ProgramStop{StopKind::program_stop});
-  block_.queue.emit(Request{});
+  block_.queue.emit(ProgramRequest{});
 }
 
 void HoleMoves::go_on_behind_hand() {

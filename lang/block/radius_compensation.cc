@@ -115,7 +115,7 @@ StageResult CompensationStage::take(Command& command) {
   if (auto* const spline = std::get_if<SplineMove>(&command.payload)) {
     return lead_out(command, spline->base);
   }
-  if (const auto* request = std::get_if<Request>(&command.payload)) {
+  if (const auto* request = std::get_if<ProgramRequest>(&command.payload)) {
     if (compensating() && request->kind != RequestKind::terminate) {
       FaultOfCommand fault = compensation_fault(command.origin, "E4140",
                                                 "the program must wait here until the axes stop",
@@ -125,7 +125,8 @@ StageResult CompensationStage::take(Command& command) {
     }
   }
   const bool end = std::holds_alternative<ProgramEnd>(command.payload);
-  if (!end && !std::holds_alternative<Request>(command.payload)) return wait_with_element(command);
+  if (!end && !std::holds_alternative<ProgramRequest>(command.payload))
+    return wait_with_element(command);
   auto fault = finish();
   pass(command);
   if (end) state_ = State::off;

@@ -378,7 +378,7 @@ enum class Combination : std::uint8_t { add, subtract, multiply, divide };
 // Stands for the rotation of a work offset (G10 L2 R) where its axes have indices.
 inline constexpr int rotation_of_offset = -2;
 
-struct Request {
+struct ProgramRequest {
   RequestKind kind = RequestKind::sync;
   int channel = 0;
   int number = 0;
@@ -393,8 +393,8 @@ struct Request {
   bool statement = false;  // statement form: a false answer raises an alarm in the calling channel
 };
 
-// What the channel answers to a Request. `position_B` is where the programmed point (tool tip)
-// stands, so that incremental programming goes on from where the axes really are.
+// What the channel answers to a ProgramRequest. `position_B` is where the programmed point (tool
+// tip) stands, so that incremental programming goes on from where the axes really are.
 struct Answer {
   bool ok = true;
   bool raises = false;  // the call itself was an error: it ends the program, whatever its form
@@ -412,7 +412,7 @@ using Payload =
                  Dwell, SpindleCommand, CuttingSpeedMode, CoolantCommand, ToolPrepare, ToolChange,
                  ToolLength, FrameChange, OverrideControl, ForceControl, OutputCommand,
                  MachineFunction, MarkCommand, WorkpieceAnnouncement, WorkpiecePosition, Message,
-                 ModalReport, ProgramStop, ProgramEnd, Request>;
+                 ModalReport, ProgramStop, ProgramEnd, ProgramRequest>;
 
 // The Move in a payload that moves axes along a path, or nullptr.
 [[nodiscard]] inline const Move* move_of(const Payload& payload) {

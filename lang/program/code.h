@@ -1,7 +1,7 @@
 // Compiled programs: the code of one program file, for a machine with a stack of values.
 //
 // The stack is explicit and outlives every instruction, so that interpretation can stop at a
-// Request in the middle of an expression and go on with the answer.
+// ProgramRequest in the middle of an expression and go on with the answer.
 #pragma once
 
 #include <cstdint>

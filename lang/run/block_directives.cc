@@ -45,7 +45,7 @@ constexpr int file_type = 2;
 
 }  // namespace
 
-BlockDirectives::BlockDirectives(Vm& vm, RunState& run, BlockState& state, PendingAnswer& pending,
+BlockDirectives::BlockDirectives(Vm& vm, RunStage& run, BlockState& state, PendingAnswer& pending,
                                  ChannelRequests& requests)
     : vm_(vm), run_(run), state_(state), pending_(pending), requests_(requests) {}
 
@@ -193,7 +193,7 @@ void BlockDirectives::ask_overhang(const Instruction& instruction) {
     return vm_.fail("E5012", "there is no active tool whose overhang could be set", "no tool");
   }
   pending_.expect_overhang(*overhang);
-  requests_.ask(Request{});
+  requests_.ask(ProgramRequest{});
 }
 
 void BlockDirectives::finish_overhang() {
@@ -328,7 +328,7 @@ void BlockDirectives::restore_gvector(const Instruction& instruction) {
   if (!saved) {
     return vm_.fail("E3022", "this text is not a saved state", "damaged, or of another version");
   }
-  Request request;
+  ProgramRequest request;
   request.statement = instruction.count != 0;
   pending_.expect_restoring({*saved, request.statement});
   requests_.ask(std::move(request));

@@ -2,8 +2,9 @@
 // #tool_overhang, #orientation, #workpiece, and the saved state of save_gvector and
 // restore_gvector.
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns nothing. Invariant: what changes the
-// modal state while the axes may still move is asked first and done with the answer (finish_...).
+// Owner: ProgramExecution, on the thread of the preparation. Owns nothing. Invariant: what changes
+// the modal state while the axes may still move is asked first and done with the answer
+// (finish_...).
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@
 #include "lang/run/block_state.h"
 #include "lang/run/channel_requests.h"
 #include "lang/run/pending_answer.h"
-#include "lang/run/run_state.h"
+#include "lang/run/run_stage.h"
 #include "lang/run/vm.h"
 
 namespace stanok::lang {
@@ -24,7 +25,7 @@ namespace stanok::lang {
 class BlockDirectives {
  public:
   // All must outlive this.
-  BlockDirectives(Vm& vm, RunState& run, BlockState& state, PendingAnswer& pending,
+  BlockDirectives(Vm& vm, RunStage& run, BlockState& state, PendingAnswer& pending,
                   ChannelRequests& requests);
 
   // Executes one of these; false for other instructions.
@@ -53,7 +54,7 @@ class BlockDirectives {
   void restore_gvector(const Instruction& instruction);
 
   Vm& vm_;
-  RunState& run_;
+  RunStage& run_;
   BlockState& state_;
   PendingAnswer& pending_;
   ChannelRequests& requests_;

@@ -36,7 +36,7 @@ std::vector<IsoWord> places_of_words(const Source& source, const Span& block_spa
 
 }  // namespace
 
-BlockRunner::BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStore& parameters)
+BlockRunner::BlockRunner(BlockState& state, Vm& vm, RunStage& run, ParameterStore& parameters)
     : state_(state),
       vm_(vm),
       run_(run),
@@ -354,7 +354,7 @@ void BlockRunner::adopt_position(const AxisValues& position_B) {
 
 void BlockRunner::note_delivered(const Payload& command) {
   if (const auto* const length = std::get_if<ToolLength>(&command)) delivered_ = *length;
-  const auto* const request = std::get_if<Request>(&command);
+  const auto* const request = std::get_if<ProgramRequest>(&command);
   if (request != nullptr && request->kind == RequestKind::offset_table_write)
     written_offset_ = request->number;
 }

@@ -1,10 +1,10 @@
 // Turns ISO blocks into commands: plain lines, blocks with computed words, and what comes with
 // them (radius compensation, the active codes, passing a faulty block).
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns the compensation stage between blocks
-// and their delivery, and the rest of a block that waits for its position. What a block does to the
-// flow of the program it only says: the calls are not its business. Invariant: the commands of one
-// block are delivered before the next block is executed.
+// Owner: ProgramExecution, on the thread of the preparation. Owns the compensation stage between
+// blocks and their delivery, and the rest of a block that waits for its position. What a block does
+// to the flow of the program it only says: the calls are not its business. Invariant: the commands
+// of one block are delivered before the next block is executed.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ class BlockRunner {
   };
 
   // All must outlive this.
-  BlockRunner(BlockState& state, Vm& vm, RunState& run, ParameterStore& parameters);
+  BlockRunner(BlockState& state, Vm& vm, RunStage& run, ParameterStore& parameters);
 
   // A run begins with the default modal state, or with that in which the channel stands.
   void reset();
@@ -121,7 +121,7 @@ class BlockRunner {
   ToolLength delivered_;    // the one of the modal state may be on its way
   int written_offset_ = 0;  // by the program; 0: none
   Vm& vm_;
-  RunState& run_;
+  RunStage& run_;
   ParameterStore& parameters_;
   CornerStage corners_;  // before radius compensation
   CompensationStage compensation_;

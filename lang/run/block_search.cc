@@ -151,7 +151,7 @@ Expected<StopPlace, Diagnostic> find_place(const Program& program, const SearchT
   return StopPlace{*file, *line, target.calls, target.passes};
 }
 
-std::optional<Answer> SearchCollector::answer(const Request& request) const {
+std::optional<Answer> SearchCollector::answer(const ProgramRequest& request) const {
   switch (request.kind) {
     case RequestKind::sync:
     case RequestKind::mark_wait:
@@ -206,7 +206,7 @@ void SearchCollector::take(const Command& command) {
                  [&](const ProgramStop&) { omitted("program stops"); },
                  [&](const SynchronousMove&) { omitted("threads"); },
                  [&](const ProbeMove&) { omitted("probing moves"); },
-                 [&](const Request& request) { take(request, command.origin); },
+                 [&](const ProgramRequest& request) { take(request, command.origin); },
                  [](const auto&) {},
              },
              command.payload);
@@ -226,7 +226,7 @@ void SearchCollector::take(const ForceControl& order) {
   state_.force_commands.push_back(order);
 }
 
-void SearchCollector::take(const Request& request, const Origin& origin) {
+void SearchCollector::take(const ProgramRequest& request, const Origin& origin) {
   if (const char* const what = omission_of(request.kind)) omit(what, origin);
   if (request.kind == RequestKind::spindle_to_axis) state_.spindles_as_axes.insert(request.number);
   if (request.kind == RequestKind::axis_to_spindle) state_.spindles_as_axes.erase(request.number);

@@ -77,7 +77,7 @@ struct SearchState {
 class SearchCollector {
  public:
   // What a request comes to: nothing when its answer cannot be known, which ends the search.
-  [[nodiscard]] std::optional<Answer> answer(const Request& request) const;
+  [[nodiscard]] std::optional<Answer> answer(const ProgramRequest& request) const;
 
   void take(const Command& command);
 
@@ -86,7 +86,7 @@ class SearchCollector {
  private:
   void take(const SpindleCommand& command);
   void take(const ForceControl& order);
-  void take(const Request& request, const Origin& origin);
+  void take(const ProgramRequest& request, const Origin& origin);
   void omit(const std::string& what, const Origin& origin);
 
   SearchState state_;

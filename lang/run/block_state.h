@@ -1,8 +1,8 @@
 // What blocks read and change: modal state, the commands they made, and the block being executed.
 //
-// Owner: ProgramRun, on the thread of the preparation. Shared by all who execute blocks or emit
-// commands; the surroundings refer to the other members, so that this is neither copied nor moved.
-// Invariant: `blocks` is the number of the block whose commands are in the queue.
+// Owner: ProgramExecution, on the thread of the preparation. Shared by all who execute blocks or
+// emit commands; the surroundings refer to the other members, so that this is neither copied nor
+// moved. Invariant: `blocks` is the number of the block whose commands are in the queue.
 #pragma once
 
 #include <cstdint>

@@ -47,12 +47,12 @@ bool ChannelRequests::execute(const Instruction& instruction) {
   }
 }
 
-void ChannelRequests::ask(Request request) {
+void ChannelRequests::ask(ProgramRequest request) {
   state_.begin_commands(vm_.instruction_origin());
   state_.queue.emit(std::move(request));
 }
 
-void ChannelRequests::ask(Request request, AnswerUse use) {
+void ChannelRequests::ask(ProgramRequest request, AnswerUse use) {
   pending_.expect(use);
   ask(std::move(request));
 }
@@ -87,7 +87,7 @@ std::optional<int> ChannelRequests::mark_of(double number) {
 
 void ChannelRequests::ask_builtin(const Instruction& instruction) {
   const Builtin& builtin = builtins()[instruction.operand];
-  Request request;
+  ProgramRequest request;
   request.kind = builtin.request;
   request.text = builtin.request_text;
   request.statement = instruction.extra != 0;
@@ -105,7 +105,7 @@ void ChannelRequests::ask_builtin(const Instruction& instruction) {
 }
 
 bool ChannelRequests::name_arguments(const Builtin& builtin, const Instruction& instruction,
-                                     Request& request) {
+                                     ProgramRequest& request) {
   const std::span<const Value> arguments = vm_.stack().top(instruction.count);
   if (builtin.takes_channel) {
     const OwnChannel own = builtin.refuses_own_channel ? OwnChannel::refused : OwnChannel::allowed;
@@ -126,7 +126,7 @@ bool ChannelRequests::name_arguments(const Builtin& builtin, const Instruction& 
 
 void ChannelRequests::ask_value(const Instruction& instruction) {
   const SystemVariable& variable = system_variables()[instruction.operand];
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::machine_value;
   request.text = variable.name;
   if (instruction.count != 0) {
@@ -160,7 +160,7 @@ void ChannelRequests::ask_kinematics() {
   const auto channel = channel_of(channel_number, OwnChannel::allowed);
   if (!channel) return;
   if (*channel == state_.channel.id && !check_own_kinematics()) return;
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::kinematics;
   request.channel = *channel;
   request.number = *scheme;
@@ -177,7 +177,7 @@ void ChannelRequests::terminate() {
   }
   pending_.expect_end(
       vm_.diagnostic("U" + std::to_string(*code), text_of(text), "terminated by the program"));
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::terminate;
   request.number = *code;
   request.text = text_of(text);
@@ -198,7 +198,7 @@ void ChannelRequests::take_mark(const Instruction& instruction) {
   }
   vm_.stack().cut_to(vm_.stack().height() - instruction.count);
   if (builtin.effect == Effect::mark_wait) {
-    Request request;
+    ProgramRequest request;
     request.kind = RequestKind::mark_wait;
     request.number = *id;
     request.channels = channels;

@@ -1,8 +1,8 @@
 // Instructions that ask something of the channel, the machine or other channels.
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns nothing: it checks the values on the
-// stack, makes the Request, and says in PendingAnswer what its answer is for. Invariant: every
-// request emitted here has its use set before.
+// Owner: ProgramExecution, on the thread of the preparation. Owns nothing: it checks the values on
+// the stack, makes the ProgramRequest, and says in PendingAnswer what its answer is for. Invariant:
+// every request emitted here has its use set before.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ class ChannelRequests {
   bool execute(const Instruction& instruction);
 
   // Emits a request of the current instruction, whose answer has its use already.
-  void ask(Request request);
-  void ask(Request request, AnswerUse use);
+  void ask(ProgramRequest request);
+  void ask(ProgramRequest request, AnswerUse use);
 
  private:
   // Whether a call may name its own channel.
@@ -37,7 +37,8 @@ class ChannelRequests {
   std::optional<int> channel_of(double number, OwnChannel own);
   std::optional<int> mark_of(double number);
   void ask_builtin(const Instruction& instruction);
-  bool name_arguments(const Builtin& builtin, const Instruction& instruction, Request& request);
+  bool name_arguments(const Builtin& builtin, const Instruction& instruction,
+                      ProgramRequest& request);
   void ask_value(const Instruction& instruction);
   void ask_kinematics();
   bool check_own_kinematics();
@@ -46,12 +47,12 @@ class ChannelRequests {
 
   // channel_requests_data.cc: tables of the machine and shared variables
   void ask_table(const Instruction& instruction);
-  bool name_offset(std::span<const Value> arguments, Request& request, double& unit);
+  bool name_offset(std::span<const Value> arguments, ProgramRequest& request, double& unit);
   bool name_tool_value(const Instruction& instruction, std::span<const Value> arguments,
-                       Request& request, double& unit);
+                       ProgramRequest& request, double& unit);
   void read_shared(const Instruction& instruction);
   void send_shared(const Instruction& instruction);
-  bool pop_shared_element(const Instruction& instruction, Request& request);
+  bool pop_shared_element(const Instruction& instruction, ProgramRequest& request);
 
   Vm& vm_;
   BlockState& state_;

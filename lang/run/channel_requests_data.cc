@@ -15,7 +15,7 @@ constexpr std::size_t shared_text_max = 255;
 }  // namespace
 
 // Table, page and axis; "R" is the rotation, an axis the channel has not is -1.
-bool ChannelRequests::name_offset(std::span<const Value> arguments, Request& request,
+bool ChannelRequests::name_offset(std::span<const Value> arguments, ProgramRequest& request,
                                   double& unit) {
   if (!is_integer(arguments[0].number) || !is_integer(arguments[1].number)) {
     vm_.fail("E3010", "table and page are whole numbers", "not a whole number");
@@ -33,7 +33,7 @@ bool ChannelRequests::name_offset(std::span<const Value> arguments, Request& req
 
 // Tool, edge and value; a value that does not exist is 0.
 bool ChannelRequests::name_tool_value(const Instruction& instruction,
-                                      std::span<const Value> arguments, Request& request,
+                                      std::span<const Value> arguments, ProgramRequest& request,
                                       double& unit) {
   if (!is_integer(arguments[0].number) || !is_integer(arguments[1].number)) {
     vm_.fail("E3010", "tool and edge are whole numbers", "not a whole number");
@@ -55,7 +55,7 @@ bool ChannelRequests::name_tool_value(const Instruction& instruction,
 void ChannelRequests::ask_table(const Instruction& instruction) {
   const Builtin& builtin = builtins()[instruction.operand];
   const std::span<const Value> arguments = vm_.stack().top(instruction.count);
-  Request request;
+  ProgramRequest request;
   request.kind = builtin.request;
   request.statement = (instruction.extra & 1U) != 0;
   const bool offsets = builtin.request == RequestKind::offset_table_write ||
@@ -78,7 +78,7 @@ void ChannelRequests::ask_table(const Instruction& instruction) {
   ask(std::move(request));
 }
 
-bool ChannelRequests::pop_shared_element(const Instruction& instruction, Request& request) {
+bool ChannelRequests::pop_shared_element(const Instruction& instruction, ProgramRequest& request) {
   const SharedVariable& variable = vm_.file().shared[instruction.operand];
   double index[2] = {0.0, 0.0};
   for (std::size_t i = instruction.count; i-- > 0;) index[i] = vm_.stack().pop_number();
@@ -97,7 +97,7 @@ bool ChannelRequests::pop_shared_element(const Instruction& instruction, Request
 }
 
 void ChannelRequests::read_shared(const Instruction& instruction) {
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::shared_read;
   if (!pop_shared_element(instruction, request)) return;
   if (vm_.file().shared[instruction.operand].is_text) {
@@ -110,7 +110,7 @@ void ChannelRequests::read_shared(const Instruction& instruction) {
 
 // A combination is one request, so that no other channel comes between the reading and the writing.
 void ChannelRequests::send_shared(const Instruction& instruction) {
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::shared_write;
   if (instruction.op == Op::combine_shared) {
     request.kind = RequestKind::shared_combine;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "lang/run/program_run.h"
+#include "lang/run/program_execution.h"
 
 namespace stanok::lang {
 
@@ -11,7 +11,7 @@ struct Interpreter::State {
       : channel(of_channel), run(channel, tables) {}
 
   ChannelDescription channel;
-  ProgramRun run;
+  ProgramExecution run;
 };
 
 Interpreter::Interpreter(const ChannelDescription& channel, Tables& tables, const Files&)

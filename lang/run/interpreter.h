@@ -1,8 +1,8 @@
 // The interpreter of one channel: compiled programs in, commands out, one bounded step at a time.
 //
 // Owner: the channel's preparation (one thread). Nothing here blocks: at a sync point `next` yields
-// the Request as a command and then returns Step::waiting until `answer` was called, in the middle
-// of an expression too.
+// the ProgramRequest as a command and then returns Step::waiting until `answer` was called, in the
+// middle of an expression too.
 #pragma once
 
 #include <memory>
@@ -79,7 +79,7 @@ class Interpreter {
   // Does a bounded amount of work. `command` is valid only when Step::command is returned.
   [[nodiscard]] Step next(Command& command);
 
-  // The answer to the Request delivered last.
+  // The answer to the ProgramRequest delivered last.
   void answer(const Answer& answer);
 
   // After Step::failed: why, with place and call stack.

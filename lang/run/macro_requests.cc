@@ -17,8 +17,8 @@ constexpr int first_table = 1;
 constexpr int parts_made = 3901;
 constexpr int single_block_switch = 3003;
 
-Request request_of_machine_value(std::string_view name, int index) {
-  Request request;
+ProgramRequest request_of_machine_value(std::string_view name, int index) {
+  ProgramRequest request;
   request.kind = RequestKind::machine_value;
   request.text = name;
   request.index = index;
@@ -79,7 +79,7 @@ double MacroRequests::unit_of_tool_value(int value) const {
 }
 
 void MacroRequests::read_tool_value(const MachineVariable& variable) {
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::tool_table_read;
   request.number = variable.index;
   request.index = first_edge;
@@ -155,7 +155,7 @@ void MacroRequests::set_override_switches(int number, double value) {
 }
 
 void MacroRequests::write_table(const MachineVariable& variable, double value) {
-  Request request;
+  ProgramRequest request;
   request.statement = true;
   if (variable.kind == VariableKind::tool_value) {
     request.kind = RequestKind::tool_table_write;

@@ -1,7 +1,7 @@
 // Variables of the Fanuc dialect for which the machine is asked, and those that act when they are
 // set: #3001, #5021, #2001 and their like.
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns the zero of the timer #3001. Each
+// Owner: ProgramExecution, on the thread of the preparation. Owns the zero of the timer #3001. Each
 // reading is a sync point; a setting is alone in its block.
 #pragma once
 

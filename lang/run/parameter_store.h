@@ -1,7 +1,7 @@
 // The RS274 parameters of a run: #n, #<name>, R, and the value that an O-subprogram returned.
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns all values that programs set; numbers
-// and names that show the state of the machine are read from what lies around the blocks.
+// Owner: ProgramExecution, on the thread of the preparation. Owns all values that programs set;
+// numbers and names that show the state of the machine are read from what lies around the blocks.
 // A vacant variable of the Fanuc dialect is NaN. Invariants: global names (#<_name>) and R
 // parameters last from run to run, all others begin new; a named value is NaN until it is set.
 #pragma once

@@ -65,7 +65,7 @@ void PendingAnswer::expect_end(Diagnostic error) {
   end_ = std::move(error);
 }
 
-void PendingAnswer::deliver(const Request& request, const Origin& origin) {
+void PendingAnswer::deliver(const ProgramRequest& request, const Origin& origin) {
   owed_ = true;
   origin_ = origin;
   if (request.kind == RequestKind::input_wait) {

@@ -1,6 +1,6 @@
 // What a run waits for: the request delivered last, and what becomes of its answer.
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns what was kept for the answer. It
+// Owner: ProgramExecution, on the thread of the preparation. Owns what was kept for the answer. It
 // decides what an answer means and does nothing itself: take() says what is to be pushed, done or
 // reported. Invariants: an answer that nobody waits for is dropped; a use holds for one answer.
 #pragma once
@@ -85,7 +85,7 @@ class PendingAnswer {
 
   // The request is delivered; those that blocks make say themselves what their answer is for.
   // `origin`: where it was made.
-  void deliver(const Request& request, const Origin& origin = {});
+  void deliver(const ProgramRequest& request, const Origin& origin = {});
   [[nodiscard]] const Origin& origin() const { return origin_; }
   [[nodiscard]] bool owed() const { return owed_; }
 

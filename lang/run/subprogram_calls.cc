@@ -50,7 +50,7 @@ bool SubprogramCalls::execute(const Instruction& instruction) {
 void SubprogramCalls::call_function(const Callee& callee) {
   if (!vm_.check_call_depth()) return;
   const FunctionCode& function = vm_.program().files[callee.file]->functions[callee.function];
-  Frame frame = vm_.frame_at_top(callee.file);
+  CallFrame frame = vm_.frame_at_top(callee.file);
   frame.position = function.entry;
   frame.function = &function;
   frame.stack -= function.signature.parameters.size();
@@ -69,7 +69,7 @@ void SubprogramCalls::return_from_function(const Instruction& instruction) {
 // Leaves the innermost call; what it had for itself is gone.
 void SubprogramCalls::pop_frame() {
   leave_state_level(vm_.frames().size() - 1);
-  Frame& frame = vm_.frame();
+  CallFrame& frame = vm_.frame();
   if (frame.context && frame.context->of_caller) {
     LocalParameters left = parameters_.exchange_locals(std::move(*frame.context->of_caller));
     const bool modal = frame.context->modal_call && modal_ && std::exchange(modal_->runs, false);
@@ -97,7 +97,7 @@ void SubprogramCalls::call_o_subprogram(const Instruction& instruction) {
   LocalParameters locals = parameters_.fresh_locals(rules_of(callee->file));
   for (std::size_t i = instruction.count; i-- > 0;) locals.numbered[i] = vm_.stack().pop_number();
   const FunctionCode& function = vm_.program().files[callee->file]->functions[callee->function];
-  Frame frame = subprogram_frame(callee->file);
+  CallFrame frame = subprogram_frame(callee->file);
   frame.position = function.entry;
   frame.function = &function;
   vm_.add_slots(function);
@@ -122,8 +122,8 @@ void SubprogramCalls::return_from_o_subprogram(std::optional<double> value) {
   pop_frame();
 }
 
-Frame SubprogramCalls::subprogram_frame(std::uint16_t of_file) const {
-  Frame frame = vm_.frame_at_top(of_file);
+CallFrame SubprogramCalls::subprogram_frame(std::uint16_t of_file) const {
+  CallFrame frame = vm_.frame_at_top(of_file);
   frame.subprogram = true;
   frame.context = std::make_unique<CallContext>();
   return frame;
@@ -139,7 +139,7 @@ void SubprogramCalls::call_file() {
                     "unknown subprogram");
   }
   if (!vm_.check_call_depth()) return;
-  Frame frame = subprogram_frame(found->second);
+  CallFrame frame = subprogram_frame(found->second);
   vm_.renew_file_variables(frame);
   frame.context->of_caller =
       parameters_.exchange_locals(parameters_.fresh_locals(rules_of(found->second)));
@@ -200,8 +200,8 @@ NumberedProgramSearch SubprogramCalls::find_numbered(CodeNumber code, int number
   return search;
 }
 
-Frame SubprogramCalls::numbered_frame(const NumberedCall& call) {
-  Frame frame = subprogram_frame(call.place.file);
+CallFrame SubprogramCalls::numbered_frame(const NumberedCall& call) {
+  CallFrame frame = subprogram_frame(call.place.file);
   frame.position = call.place.position;
   frame.entry = call.place.position;
   frame.program_number = call.number;
@@ -214,7 +214,7 @@ std::optional<MacroCode> SubprogramCalls::macro_of_block() const {
   auto macro = macro_of(state_.words, state_.channel_words.dialect());
   if (!macro || macro->user_code == nullptr) return macro;
   const auto& frames = vm_.frames();
-  const bool runs = std::any_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+  const bool runs = std::any_of(frames.begin(), frames.end(), [&](const CallFrame& frame) {
     return frame.context && frame.context->user_code == macro->user_code;
   });
   return runs ? std::nullopt : macro;
@@ -225,7 +225,7 @@ void SubprogramCalls::call_macro(const MacroCode& macro) {
   if (macro.number != g(65)) return make_modal(macro);
   const auto call = numbered_call(g(65));
   if (!call || call->repeats == 0 || !vm_.check_call_depth()) return;
-  Frame frame = numbered_frame(*call);
+  CallFrame frame = numbered_frame(*call);
   give_arguments(frame, state_.words, macro);
   vm_.enter(std::move(frame));
 }
@@ -245,8 +245,9 @@ void SubprogramCalls::end_modal() {
 }
 
 bool SubprogramCalls::modal_call_runs() const {
-  return std::ranges::any_of(
-      vm_.frames(), [](const Frame& frame) { return frame.context && frame.context->modal_call; });
+  return std::ranges::any_of(vm_.frames(), [](const CallFrame& frame) {
+    return frame.context && frame.context->modal_call;
+  });
 }
 
 bool SubprogramCalls::calls_behind_moves() const {
@@ -260,7 +261,7 @@ bool SubprogramCalls::calls_for_blocks() const {
 
 void SubprogramCalls::call_modal() {
   if (modal_->call.repeats == 0 || !vm_.check_call_depth()) return;
-  Frame frame = numbered_frame(modal_->call);
+  CallFrame frame = numbered_frame(modal_->call);
   const bool each = modal_->macro.number == g(66, 1);
   give_arguments(frame, each ? state_.words : modal_->words, modal_->macro);
   if (modal_->locals) parameters_.exchange_locals(*modal_->locals);
@@ -272,8 +273,8 @@ void SubprogramCalls::call_modal() {
 
 void SubprogramCalls::call_block(int repeats, int block) {
   if (!vm_.check_call_depth()) return;
-  const Frame& caller = vm_.frame();
-  Frame frame = subprogram_frame(caller.file);
+  const CallFrame& caller = vm_.frame();
+  CallFrame frame = subprogram_frame(caller.file);
   frame.position = caller.position;
   frame.entry = caller.position;
   frame.program_number = caller.program_number;
@@ -291,7 +292,7 @@ void SubprogramCalls::call_user_code(const MacroCode& macro) {
                     "a computed code can call only macros that the program also calls by name");
   }
   if (!vm_.check_call_depth()) return;
-  Frame frame = subprogram_frame(found->second);
+  CallFrame frame = subprogram_frame(found->second);
   if (code.function.empty()) {
     vm_.renew_file_variables(frame);
   } else if (!enter_function(frame, code.function)) {
@@ -306,7 +307,7 @@ void SubprogramCalls::call_user_code(const MacroCode& macro) {
 }
 
 // The words of the block are the arguments and the local parameters of the called text.
-void SubprogramCalls::give_arguments(Frame& frame, const BlockWords& words,
+void SubprogramCalls::give_arguments(CallFrame& frame, const BlockWords& words,
                                      const MacroCode& macro) {
   frame.context->arguments = arguments_of(words, macro);
   frame.context->of_caller =
@@ -314,7 +315,7 @@ void SubprogramCalls::give_arguments(Frame& frame, const BlockWords& words,
 }
 
 // Makes `frame` that of a function of its file which takes and returns nothing.
-bool SubprogramCalls::enter_function(Frame& frame, const std::string& name) {
+bool SubprogramCalls::enter_function(CallFrame& frame, const std::string& name) {
   const CompiledFile& text = *vm_.program().files[frame.file];
   const auto found = text.function_by_name.find(name);
   if (found == text.function_by_name.end()) return false;
@@ -374,7 +375,7 @@ SubprogramCalls::Left SubprogramCalls::leave_subprogram(Repeats repeats) {
   while (depth > 1 && !frames[depth - 1].subprogram) --depth;
   if (depth <= 1) return Left::main_program;
   while (frames.size() > depth) pop_frame();
-  Frame& frame = vm_.frame();
+  CallFrame& frame = vm_.frame();
   vm_.plain() = {};
   if (frame.function != nullptr && frame.function->o_subprogram) {
     return_from_o_subprogram(std::nullopt);

@@ -1,8 +1,8 @@
 // Calls of functions, O-subprograms, numbered programs, macros and files, and the way back.
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns nothing: the frames lie in the machine,
-// the parameters of a call in their store. Invariant: what a call exchanged (parameters, variables
-// of its file, the state saved by M73) is put back when it is left, in whatever way.
+// Owner: ProgramExecution, on the thread of the preparation. Owns nothing: the frames lie in the
+// machine, the parameters of a call in their store. Invariant: what a call exchanged (parameters,
+// variables of its file, the state saved by M73) is put back when it is left, in whatever way.
 #pragma once
 
 #include <optional>
@@ -76,10 +76,10 @@ class SubprogramCalls {
   void return_from_o_subprogram(std::optional<double> value);
   std::optional<NumberedCall> numbered_call(CodeNumber code);
   NumberedProgramSearch find_numbered(CodeNumber code, int number);
-  [[nodiscard]] Frame subprogram_frame(std::uint16_t file) const;
-  Frame numbered_frame(const NumberedCall& call);
-  bool enter_function(Frame& frame, const std::string& name);
-  void give_arguments(Frame& frame, const BlockWords& words, const MacroCode& macro);
+  [[nodiscard]] CallFrame subprogram_frame(std::uint16_t file) const;
+  CallFrame numbered_frame(const NumberedCall& call);
+  bool enter_function(CallFrame& frame, const std::string& name);
+  void give_arguments(CallFrame& frame, const BlockWords& words, const MacroCode& macro);
   [[nodiscard]] LocalParameters parameters_of(const BlockWords& arguments,
                                               const TextRules& rules) const;
   [[nodiscard]] const TextRules& rules_of(std::uint16_t file) const;

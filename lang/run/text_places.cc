@@ -12,10 +12,10 @@ namespace {
 
 bool is_called_from(const Vm& vm, const std::vector<std::uint32_t>& calls) {
   if (calls.empty()) return true;
-  const std::vector<Frame>& frames = vm.frames();
+  const std::vector<CallFrame>& frames = vm.frames();
   if (frames.size() != calls.size() + 1) return false;
   for (std::size_t i = 0; i < calls.size(); ++i) {
-    const Frame& caller = frames[i];
+    const CallFrame& caller = frames[i];
     if (vm.program().files[caller.file]->spans[caller.position - 1].line != calls[i]) return false;
   }
   return true;
@@ -201,7 +201,7 @@ void TextPlaces::go_to_number_on_stack() {
 }
 
 void TextPlaces::go_to_block(int number) {
-  Frame& frame = vm_.frame();
+  CallFrame& frame = vm_.frame();
   if (frame.function != nullptr) {
     return vm_.fail("E3024", "a function has no block numbers to go to", "use `if` and `while`");
   }
@@ -239,7 +239,7 @@ bool TextPlaces::enter(std::uint32_t line) {
 }
 
 bool SearchStop::is_reached(Vm& vm, const TextPlaces& texts) {
-  const Frame& frame = vm.frame();
+  const CallFrame& frame = vm.frame();
   const PlainCursor& plain = vm.plain();
   const std::uint32_t line = plain.at_end() ? vm.file().spans[frame.position].line : plain.line;
   const bool is_there = frame.file == place_->file && line == place_->line && !texts.in_contour() &&

@@ -1,8 +1,8 @@
 // Places of a text that a run goes to by line or block number: contours of cycles, the line behind
 // one, and the line with which a search begins.
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns where G70 returns to. Invariant: while
-// a contour is run, the plain lines being executed are those of the contour.
+// Owner: ProgramExecution, on the thread of the preparation. Owns where G70 returns to. Invariant:
+// while a contour is run, the plain lines being executed are those of the contour.
 #pragma once
 
 #include <cstdint>

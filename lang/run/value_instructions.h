@@ -1,8 +1,8 @@
 // Instructions that read and set values the run knows itself: parameters and programmed state, no
 // wait for the axes.
 //
-// Owner: ProgramRun, on the thread of the preparation. Owns nothing: it moves values between the
-// stack and their stores.
+// Owner: ProgramExecution, on the thread of the preparation. Owns nothing: it moves values between
+// the stack and their stores.
 #pragma once
 
 #include <optional>

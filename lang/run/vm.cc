@@ -14,11 +14,11 @@ namespace stanok::lang {
 namespace {
 
 // The calls that led to the innermost frame, the last one first.
-std::vector<std::string> call_stack(const Program& program, const std::vector<Frame>& frames) {
+std::vector<std::string> call_stack(const Program& program, const std::vector<CallFrame>& frames) {
   std::vector<std::string> lines;
   for (std::size_t i = frames.size(); i-- > 1;) {
-    const Frame& frame = frames[i];
-    const Frame& caller = frames[i - 1];
+    const CallFrame& frame = frames[i];
+    const CallFrame& caller = frames[i - 1];
     const CompiledFile& calling = *program.files[caller.file];
     const Place place = calling.source.place(calling.spans[caller.position - 1]);
     std::string name = program.files[frame.file]->source.name();
@@ -60,7 +60,7 @@ void Vm::begin_again() {
 }
 
 const Instruction* Vm::step() {
-  Frame& frame = frames_.back();
+  CallFrame& frame = frames_.back();
   const Instruction& instruction = file().code[frame.position++];
   return execute(instruction) ? nullptr : &instruction;
 }
@@ -250,8 +250,8 @@ bool Vm::check_call_depth() {
   return false;
 }
 
-Frame Vm::frame_at_top(std::uint16_t of_file) const {
-  Frame frame;
+CallFrame Vm::frame_at_top(std::uint16_t of_file) const {
+  CallFrame frame;
   frame.file = of_file;
   frame.slots = slots_.size();
   frame.stack = stack_.height();
@@ -262,20 +262,20 @@ void Vm::add_slots(const FunctionCode& function) {
   slots_.resize(slots_.size() + function.slots);
 }
 
-void Vm::renew_file_variables(Frame& frame) {
+void Vm::renew_file_variables(CallFrame& frame) {
   frame.context->file_slots_before = file_slots_[frame.file];
   file_slots_[frame.file] = slots_.size();
   slots_.resize(slots_.size() + program_->files[frame.file]->file_slots);
 }
 
-void Vm::take_arguments(const Frame& frame) {
+void Vm::take_arguments(const CallFrame& frame) {
   for (std::size_t i = frame.function->signature.parameters.size(); i-- > 0;) {
     slots_[frame.slots + i] = stack_.pop();
   }
 }
 
 void Vm::leave() {
-  const Frame& frame = frames_.back();
+  const CallFrame& frame = frames_.back();
   slots_.resize(frame.slots);
   stack_.cut_to(frame.stack);
   if (frame.context && frame.context->file_slots_before) {

@@ -2,9 +2,9 @@
 //
 // It executes what computes and jumps by itself; what asks, calls or acts it hands back, to be
 // executed by those who own the effect. All of its state is explicit, so that a run can stop after
-// any instruction. Owner: ProgramRun, on the thread of the preparation. Owns the program counter
-// (frame, position, plain lines), the stack and all variables. Invariants: the last frame is the
-// one executed; a frame's slots and values lie above those of its caller.
+// any instruction. Owner: ProgramExecution, on the thread of the preparation. Owns the program
+// counter (frame, position, plain lines), the stack and all variables. Invariants: the last frame
+// is the one executed; a frame's slots and values lie above those of its caller.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 #include "lang/program/program.h"
 #include "lang/run/array_instructions.h"
 #include "lang/run/parameter_store.h"
-#include "lang/run/run_state.h"
+#include "lang/run/run_stage.h"
 #include "lang/run/value_stack.h"
 #include "lang/tree/value.h"
 #include "lang/words/channel_words.h"
@@ -47,7 +47,7 @@ struct CallContext {
 };
 
 // A function or subprogram that is being executed.
-struct Frame {
+struct CallFrame {
   std::uint16_t file = 0;
   std::uint32_t position = 0;              // next instruction
   std::size_t slots = 0;                   // first local slot
@@ -67,7 +67,7 @@ struct Frame {
 class Vm final : public RunPlace {
  public:
   // Both must outlive this.
-  Vm(const ChannelWords& words, RunState& run) : words_(words), run_(run) {}
+  Vm(const ChannelWords& words, RunStage& run) : words_(words), run_(run) {}
 
   // A run of `program` begins with its first instruction.
   void begin(std::shared_ptr<const Program> program);
@@ -85,8 +85,8 @@ class Vm final : public RunPlace {
 
   [[nodiscard]] const Program& program() const { return *program_; }
   [[nodiscard]] const CompiledFile& file() const { return *program_->files[frames_.back().file]; }
-  [[nodiscard]] Frame& frame() { return frames_.back(); }
-  [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
+  [[nodiscard]] CallFrame& frame() { return frames_.back(); }
+  [[nodiscard]] const std::vector<CallFrame>& frames() const { return frames_; }
   [[nodiscard]] PlainCursor& plain() { return plain_; }
   [[nodiscard]] ValueStack& stack() { return stack_; }
   // Of the instruction executed last, and of the one or the plain line that comes next.
@@ -98,13 +98,13 @@ class Vm final : public RunPlace {
 
   // Calls. Nothing can be entered where check_call_depth() is false; it has failed the run.
   [[nodiscard]] bool check_call_depth();
-  [[nodiscard]] Frame frame_at_top(std::uint16_t file) const;
+  [[nodiscard]] CallFrame frame_at_top(std::uint16_t file) const;
   // Slots above all others: those of a function, and new ones for the variables of its file.
   void add_slots(const FunctionCode& function);
-  void renew_file_variables(Frame& frame);
+  void renew_file_variables(CallFrame& frame);
   // Moves the arguments of `frame`'s function from the stack to its slots.
-  void take_arguments(const Frame& frame);
-  void enter(Frame frame) { frames_.push_back(std::move(frame)); }
+  void take_arguments(const CallFrame& frame);
+  void enter(CallFrame frame) { frames_.push_back(std::move(frame)); }
   // Leaves the innermost frame; what it had for itself is gone.
   void leave();
 
@@ -134,14 +134,14 @@ class Vm final : public RunPlace {
   [[nodiscard]] const Value& referred(const Value& reference) const;
 
   const ChannelWords& words_;
-  RunState& run_;
+  RunStage& run_;
   std::shared_ptr<const Program> program_;
   std::uint16_t block_skip_ = 0;
   ValueStack stack_;
   ArrayInstructions arrays_{stack_};
   std::vector<Value> slots_;
   std::vector<std::size_t> file_slots_;  // first slot of each file
-  std::vector<Frame> frames_;
+  std::vector<CallFrame> frames_;
   PlainCursor plain_;
 };
 

@@ -69,7 +69,7 @@ bool is_unary(Operation operation) {
 // Executes up to `bound` instructions and returns how many; stops before the first that is not of
 // this kind. Slots and constants do not move meanwhile: only calls and arrays make new slots.
 int Vm::compute_ahead(int bound) {
-  Frame& frame = frames_.back();
+  CallFrame& frame = frames_.back();
   const CompiledFile& text = file();
   const Instruction* const code = text.code.data();
   const double* const numbers = text.numbers.data();

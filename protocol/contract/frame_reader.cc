@@ -18,14 +18,14 @@ void FrameReader::append(std::string_view bytes) {
   buffer_ += bytes;
 }
 
-std::optional<Frame> FrameReader::next() {
+std::optional<TextFrame> FrameReader::next() {
   while (true) {
     auto frame = cut_line();
     if (!frame || frame->kind == FrameKind::oversize || !is_blank(frame->text)) return frame;
   }
 }
 
-std::optional<Frame> FrameReader::cut_line() {
+std::optional<TextFrame> FrameReader::cut_line() {
   const std::size_t end = buffer_.find('\n', std::max(begin_, searched_));
   if (end == std::string::npos) {
     searched_ = buffer_.size();
@@ -33,16 +33,16 @@ std::optional<Frame> FrameReader::cut_line() {
     const bool is_first = !discarding_;
     discarding_ = true;
     begin_ = buffer_.size();
-    return is_first ? std::optional<Frame>({FrameKind::oversize, {}}) : std::nullopt;
+    return is_first ? std::optional<TextFrame>({FrameKind::oversize, {}}) : std::nullopt;
   }
   const std::string_view line(buffer_.data() + begin_, end - begin_);
   const bool was_discarding = discarding_;
   const bool is_oversize = line.size() > bytes_max_;
-  Frame frame{is_oversize ? FrameKind::oversize : FrameKind::text,
-              is_oversize ? std::string() : std::string(line)};
+  TextFrame frame{is_oversize ? FrameKind::oversize : FrameKind::text,
+                  is_oversize ? std::string() : std::string(line)};
   discarding_ = false;
   begin_ = searched_ = end + 1;
-  return was_discarding ? cut_line() : std::optional<Frame>(std::move(frame));
+  return was_discarding ? cut_line() : std::optional<TextFrame>(std::move(frame));
 }
 
 }  // namespace stanok::protocol

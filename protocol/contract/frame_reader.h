@@ -16,7 +16,7 @@ inline constexpr std::size_t frame_bytes_max = 1U << 20;  // 1 MiB without the l
 
 enum class FrameKind : std::uint8_t { text, oversize };
 
-struct Frame {
+struct TextFrame {
   FrameKind kind = FrameKind::text;
   std::string text;  // without the line end; empty for oversize
 };
@@ -28,13 +28,13 @@ class FrameReader {
   void append(std::string_view bytes);
 
   // The next complete frame. Blank lines are no frames.
-  [[nodiscard]] std::optional<Frame> next();
+  [[nodiscard]] std::optional<TextFrame> next();
 
   // Whether the beginning of a frame waits for its end.
   [[nodiscard]] bool is_within_frame() const { return discarding_ || begin_ < buffer_.size(); }
 
  private:
-  [[nodiscard]] std::optional<Frame> cut_line();
+  [[nodiscard]] std::optional<TextFrame> cut_line();
 
   std::size_t bytes_max_;
   std::string buffer_;

@@ -37,7 +37,7 @@ json json_from_text(std::string_view text) {
   return json::parse(text.begin(), text.end(), nullptr, false);
 }
 
-Expected<Request, BadRequest> parse_request(std::string_view line) {
+Expected<RpcRequest, BadRequest> parse_request(std::string_view line) {
   if (looks_like_http(line))
     return bad(nullptr, FailureKind::parse_error, "this is not an HTTP server");
   if (const auto excess = json_excess(line))
@@ -51,7 +51,7 @@ Expected<Request, BadRequest> parse_request(std::string_view line) {
   if (!message.is_object())
     return bad(nullptr, FailureKind::invalid_request, "a request is a JSON object");
 
-  Request request;
+  RpcRequest request;
   request.wants_answer = message.contains("id");
   if (request.wants_answer) {
     if (!is_id(message["id"])) {

@@ -19,7 +19,7 @@ namespace stanok::protocol {
 // base/text_bounds.h allows.
 [[nodiscard]] nlohmann::json json_from_text(std::string_view text);
 
-struct Request {
+struct RpcRequest {
   nlohmann::json id;         // number, string or null
   bool wants_answer = true;  // false: a notification, without the member `id`
   std::string method;
@@ -32,7 +32,7 @@ struct BadRequest {
   Failure failure;
 };
 
-[[nodiscard]] Expected<Request, BadRequest> parse_request(std::string_view line);
+[[nodiscard]] Expected<RpcRequest, BadRequest> parse_request(std::string_view line);
 
 // The parameters by name, complete and of the right type and range. A list is taken by position.
 [[nodiscard]] Expected<nlohmann::json, Failure> checked_parameters(

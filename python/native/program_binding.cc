@@ -53,7 +53,8 @@ py::tuple interpret(const config::MachineFile& file, const Program& program) {
           protocol::append_json_line(records,
                                      jobs::record_fields(command, block, run.channel().words));
         },
-        [](const lang::Request&, const lang::Command&) {}, {.gives_up = interruption.asked()});
+        [](const lang::ProgramRequest&, const lang::Command&) {},
+        {.gives_up = interruption.asked()});
   }
   interruption.rethrow();
   return py::make_tuple(py::str(records),

@@ -53,7 +53,7 @@ class DaemonBench {
   Slot ask(int session, const std::string& method,
            nlohmann::json parameters = nlohmann::json::object()) {
     const auto slot = std::make_shared<std::optional<CommandResult>>();
-    protocol::Request request;
+    protocol::RpcRequest request;
     request.id = 1;
     request.method = method;
     request.parameters = std::move(parameters);

@@ -27,7 +27,7 @@ void check(const Command& command) {
 
 Answer answer_to(const Command& command) {
   Answer answer;
-  const auto* const request = std::get_if<Request>(&command.payload);
+  const auto* const request = std::get_if<ProgramRequest>(&command.payload);
   answer.ok = request == nullptr || request->number % 5 != 4;
   answer.number = 2.0;
   answer.text = "E6006 the machine is off";

@@ -252,7 +252,7 @@ class Describer {
     static const char* const names[] = {"end", "end and rewind", "end of text", "restart"};
     return names[static_cast<int>(end.kind)];
   }
-  std::string operator()(const Request& request) const {
+  std::string operator()(const ProgramRequest& request) const {
     static const char* const names[] = {"sync",
                                         "kinematics",
                                         "channel_load",
@@ -388,7 +388,7 @@ class Conformance : public ProgramTest, public ::testing::WithParamInterface<std
       tables.tools[number] = {number, {0.0, 0.0, 10.0 * number}, 1.0};
     }
     tables.offsets[2] = {100.0, 200.0, 300.0};
-    answering = [passes = 1](const Request& request) mutable {
+    answering = [passes = 1](const ProgramRequest& request) mutable {
       Answer answer;
       if (request.kind == RequestKind::program_restart) answer.ok = passes++ == 1;
       answer.number = 2.0;

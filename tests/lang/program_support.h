@@ -171,8 +171,8 @@ class ProgramTest : public ::testing::Test {
  protected:
   // What the channel answers to a request; ok without a position by default, but the main program
   // does not begin again.
-  using Answering = std::function<Answer(const Request&)>;
-  static Answer usual_answer(const Request& request) {
+  using Answering = std::function<Answer(const ProgramRequest&)>;
+  static Answer usual_answer(const ProgramRequest& request) {
     Answer answer;
     answer.ok = request.kind != RequestKind::program_restart;
     return answer;
@@ -216,7 +216,7 @@ class ProgramTest : public ::testing::Test {
       }
       if (last_step == Step::command) commands.push_back(command);
       if (last_step == Step::waiting) {
-        const auto* request = std::get_if<Request>(&commands.back().payload);
+        const auto* request = std::get_if<ProgramRequest>(&commands.back().payload);
         ASSERT_NE(request, nullptr);
         interpreter->answer(answering ? answering(*request) : usual_answer(*request));
       }

@@ -23,7 +23,7 @@ enum class Thrown : std::uint8_t { nothing, bad_alloc, broken_claim, no_exceptio
 class FaultyLink : public drives::ModbusLink {
  public:
   using ModbusLink::ModbusLink;
-  std::optional<ExchangeError> exchange(int unit, std::span<const drives::Request> requests,
+  std::optional<ExchangeError> exchange(int unit, std::span<const drives::ModbusRequest> requests,
                                         std::span<std::uint16_t> image) override {
     switch (thrown.load()) {
       case Thrown::nothing:

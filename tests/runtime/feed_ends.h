@@ -77,8 +77,9 @@ inline std::vector<FeedEnd> feed_ends(const channels::MachineConfig& machine,
     }
     ends.push_back(end);
   };
-  const jobs::DryRunResult result = run.run("plane.nc", jobs::Reachability::checked, keep,
-                                            [](const lang::Request&, const lang::Command&) {});
+  const jobs::DryRunResult result =
+      run.run("plane.nc", jobs::Reachability::checked, keep,
+              [](const lang::ProgramRequest&, const lang::Command&) {});
   // Where the tool leaves a pole the axis that is free there turns first: the feed is out of reach.
   for (const Diagnostic& one : result.diagnostics) {
     if (one.code != "W810")

@@ -49,7 +49,7 @@ protocol::Failure refusal_of(std::string code, std::string message) {
 }
 
 // A network may have kept it: without what the page had seen it would be as new as its arrival.
-bool hides_its_age(const protocol::Request& request) {
+bool hides_its_age(const protocol::RpcRequest& request) {
   const protocol::Method* method = protocol::find_method(request.method);
   if (method == nullptr || method->effect != protocol::Effect::begins_motion) return false;
   const auto given = protocol::checked_parameters(*method, request.parameters);

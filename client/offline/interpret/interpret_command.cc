@@ -77,7 +77,7 @@ int run(const InterpretOptions& options) {
                                    jobs::search_fields(state, target, dry_run.channel().words));
                              })
           : dry_run.run(program.name, jobs::Reachability::unchecked, record,
-                        [](const lang::Request&, const lang::Command&) {});
+                        [](const lang::ProgramRequest&, const lang::Command&) {});
   write_out();
   for (const Diagnostic& diagnostic : result.diagnostics) print(diagnostic);
   if (options.quiet) {

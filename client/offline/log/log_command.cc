@@ -23,7 +23,7 @@
 #include "recording/read/log_contents.h"
 #include "recording/read/log_play.h"
 #include "recording/read/situation_walk.h"
-#include "recording/stream/publisher.h"
+#include "recording/stream/lcm_publisher.h"
 #include "runtime/replay.h"
 
 namespace stanok::client {
@@ -135,7 +135,7 @@ int verify(const LogOptions& options) {
 }
 
 int play(const LogOptions& options) {
-  recording::Publisher bus(options.lcm);
+  recording::LcmPublisher bus(options.lcm);
   if (!bus.good())
     throw std::runtime_error("LCM " + bus.status().url + " cannot be opened; see --lcm");
   catch_interrupts();

@@ -28,7 +28,7 @@ class RememberingSink final : public FeedSink {
     events += 'i';
     items.push_back(item);
   }
-  void take_request(const motion::BlockTag& tag, const lang::Request& /*request*/) override {
+  void take_request(const motion::BlockTag& tag, const lang::ProgramRequest& /*request*/) override {
     take_item({.tag = tag, .content = Request()});
   }
   void take_rider(const Rider& rider) override {

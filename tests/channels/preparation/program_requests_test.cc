@@ -13,7 +13,7 @@ using lang::RequestKind;
 class ProgramRequests : public ::testing::Test {
  protected:
   template <class Wanted>
-  Wanted made_of(const lang::Request& request) {
+  Wanted made_of(const lang::ProgramRequest& request) {
     const Request made = request_of(request, shared_);
     EXPECT_TRUE(std::holds_alternative<Wanted>(made)) << "kind " << made.index();
     const auto* const found = std::get_if<Wanted>(&made);
@@ -24,7 +24,7 @@ class ProgramRequests : public ::testing::Test {
 };
 
 TEST_F(ProgramRequests, NameTheChannelThatTheyAreFor) {
-  lang::Request request;
+  lang::ProgramRequest request;
   request.channel = 7;
   request.number = 2;
   request.seconds = 1.5;
@@ -41,7 +41,7 @@ TEST_F(ProgramRequests, NameTheChannelThatTheyAreFor) {
 }
 
 TEST_F(ProgramRequests, OfATableSayWhichPlaceOfIt) {
-  lang::Request request;
+  lang::ProgramRequest request;
   request.kind = RequestKind::tool_table_write;
   request.number = 3;   // tool
   request.index = 2;    // edge
@@ -64,7 +64,7 @@ TEST_F(ProgramRequests, OfATableSayWhichPlaceOfIt) {
 TEST_F(ProgramRequests, OfASharedVariableNameItsCellAndItsKind) {
   ASSERT_FALSE(shared_.declare({.name = "count", .rows = 4, .is_array = true, .place = {}}));
   ASSERT_FALSE(shared_.declare({.name = "part", .is_text = true, .place = {}}));
-  lang::Request request;
+  lang::ProgramRequest request;
   request.kind = RequestKind::shared_combine;
   request.text = "count";
   request.index = 3;
@@ -83,7 +83,7 @@ TEST_F(ProgramRequests, OfASharedVariableNameItsCellAndItsKind) {
 }
 
 TEST_F(ProgramRequests, OfAnInputWaitForItsEventOrReadItsValue) {
-  lang::Request request;
+  lang::ProgramRequest request;
   request.kind = RequestKind::input_wait;
   request.number = 5;
   request.index = 2;

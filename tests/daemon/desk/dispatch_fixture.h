@@ -24,7 +24,7 @@ class DispatchTest : public ::testing::Test {
   std::shared_ptr<std::optional<CommandResult>> ask(
       const std::string& method, nlohmann::json parameters = nlohmann::json::object()) {
     const auto slot = std::make_shared<std::optional<CommandResult>>();
-    protocol::Request request;
+    protocol::RpcRequest request;
     request.id = 1;
     request.method = method;
     request.parameters = std::move(parameters);

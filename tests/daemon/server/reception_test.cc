@@ -22,13 +22,13 @@ class CounterWithoutMemory final : public Counter {
   std::atomic<bool> has_ended = false;
 
   void on_arrival(std::shared_ptr<Session> /*session*/) override {}
-  void on_frame(std::shared_ptr<Session> /*session*/, protocol::Frame /*frame*/,
+  void on_frame(std::shared_ptr<Session> /*session*/, protocol::TextFrame /*frame*/,
                 const AskedAt& /*asked_at*/) override {}
   void on_departure(int /*session*/) override {
     ++departures;
     throw std::bad_alloc();
   }
-  void on_stop_answered(const Asker& /*asker*/, const protocol::Request& /*request*/,
+  void on_stop_answered(const Asker& /*asker*/, const protocol::RpcRequest& /*request*/,
                         const CommandResult& /*outcome*/) override {}
   void on_stop_accepted(const channels::OperatorEvent& /*stop*/) override {}
   void on_end() override { has_ended = true; }

@@ -62,7 +62,7 @@ TEST_F(SessionListTest, WhoWasTurnedAwayFirstGoesFirst) {
   first->turn_away("E9008", "there are too many clients", {});
   std::vector<int> ended;
   for (const auto& session : sessions.all())
-    session->start([](Session&, const protocol::Frame&) {},
+    session->start([](Session&, const protocol::TextFrame&) {},
                    [&](int id) {
                      ended.push_back(id);
                      sessions.forget(id);

@@ -39,7 +39,7 @@ TEST(BusDrive, IsLookedAtBeforeAnythingIsWritten) {
   BusDrive drive(x_drive(), poll, timeout);
   const auto look = drive.requests_to_look();
   ASSERT_FALSE(look.empty());
-  for (const Request& request : look) EXPECT_EQ(request.written.count, 0);
+  for (const ModbusRequest& request : look) EXPECT_EQ(request.written.count, 0);
   answer(drive, {});
   EXPECT_EQ(drive.take({}, milliseconds{1}, milliseconds{2}), std::nullopt);
   EXPECT_TRUE(drive.requests_to_look().empty());

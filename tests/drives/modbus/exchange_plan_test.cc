@@ -10,7 +10,7 @@
 namespace stanok::drives {
 namespace {
 
-using Plan = std::vector<Request>;
+using Plan = std::vector<ModbusRequest>;
 
 TEST(ExchangePlan, TheStandardMapTakesOneTrip) {
   EXPECT_EQ(exchange_plan({.axis = "X"}), (Plan{{.function = Function::write_and_read_registers,
@@ -103,7 +103,7 @@ TEST(ExchangePlan, CoversAnyMapAndWritesNothingElse) {
     std::set<int> written;
     std::set<int> read;
     const Plan plan = exchange_plan(drive);
-    for (const Request& request : plan) {
+    for (const ModbusRequest& request : plan) {
       ASSERT_LE(request.written.count, 121);
       ASSERT_LE(request.read.count, 125);
       for (int at = 0; at < request.written.count; ++at) written.insert(request.written.first + at);
@@ -118,7 +118,7 @@ TEST(ExchangePlan, CoversAnyMapAndWritesNothingElse) {
     for (const FieldOfMap member : read_fields) {
       const RegisterField& field = drive.map.*member;
       ASSERT_TRUE(std::ranges::any_of(plan,
-                                      [&](const Request& request) {
+                                      [&](const ModbusRequest& request) {
                                         return request.read.first <= field.address &&
                                                field.end() <= request.read.end();
                                       }))
@@ -126,8 +126,8 @@ TEST(ExchangePlan, CoversAnyMapAndWritesNothingElse) {
     }
     ASSERT_GT(plan.back().read.count, 0);
     const int echo = drive.map.heartbeat_echo.address;
-    const auto is_write = [](const Request& request) { return request.written.count > 0; };
-    const auto reads_echo = [&](const Request& request) {
+    const auto is_write = [](const ModbusRequest& request) { return request.written.count > 0; };
+    const auto reads_echo = [&](const ModbusRequest& request) {
       return request.read.first <= echo && echo < request.read.end();
     };
     const auto last_write = std::ranges::find_if(plan.rbegin(), plan.rend(), is_write);

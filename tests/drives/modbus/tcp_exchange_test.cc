@@ -68,8 +68,8 @@ class TcpExchangeTest : public ::testing::Test {
  protected:
   // What the link says of two registers from register 5 on.
   std::optional<ExchangeError> outcome(std::function<Bytes(const Bytes&)> answer,
-                                       Request request = {.function = Function::read_registers,
-                                                          .read = {5, 2}}) {
+                                       ModbusRequest request = {
+                                           .function = Function::read_registers, .read = {5, 2}}) {
     const Answering server(std::move(answer));
     BusConfig config;
     config.kind = BusKind::modbus_tcp;
@@ -130,7 +130,7 @@ TEST_F(TcpExchangeTest, TellsAnExceptionFromAWrongAnswer) {
 
 // A write is answered with where it went.
 TEST_F(TcpExchangeTest, BelievesNoWriteThatWentElsewhere) {
-  const Request write{.function = Function::write_registers, .written = {3, 2}};
+  const ModbusRequest write{.function = Function::write_registers, .written = {3, 2}};
   for (const int first : {3, 4}) {
     const auto error = outcome(
         [&](const Bytes& request) {

@@ -180,7 +180,7 @@ TEST(DryRun, StandsWhereARigidTapBegan) {
       [&](const lang::Command&, const motion::PathBlock* block) {
         if (block != nullptr) last = block->end;
       },
-      [](const lang::Request&, const lang::Command&) {});
+      [](const lang::ProgramRequest&, const lang::Command&) {});
   EXPECT_TRUE(result.diagnostics.empty());
   EXPECT_EQ(last[0], 5.0);
   EXPECT_EQ(last[2], 5.0);

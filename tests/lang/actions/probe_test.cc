@@ -8,7 +8,7 @@ class Probing : public ProgramTest {
  protected:
   // The probe changes at (107, 3) of the base, and the axes stand there.
   void find_at_a_point() {
-    answering = [](const Request& request) {
+    answering = [](const ProgramRequest& request) {
       Answer answer;
       if (request.kind != RequestKind::probe_result) return answer;
       answer.probe_B = {107.0, 3.0, 0.0};
@@ -18,7 +18,7 @@ class Probing : public ProgramTest {
     };
   }
   void find_nothing() {
-    answering = [](const Request& request) {
+    answering = [](const ProgramRequest& request) {
       Answer answer;
       answer.ok = request.kind != RequestKind::probe_result;
       return answer;

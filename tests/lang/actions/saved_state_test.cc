@@ -126,7 +126,7 @@ TEST_F(SavedStates, ComeBackByFunctions) {
   EXPECT_EQ(all<Move>()[0].end[0], 5.0);
   EXPECT_EQ(all<FrameChange>().back().work_offset, 1);
   EXPECT_FALSE(all<CoolantCommand>().back().flood);
-  EXPECT_EQ(all<Request>().size(), 1u);
+  EXPECT_EQ(all<ProgramRequest>().size(), 1u);
 }
 
 TEST_F(SavedStates, DoNotChangeTheTool) {

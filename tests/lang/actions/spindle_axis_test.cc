@@ -13,9 +13,9 @@ class SpindleAxis : public ProgramTest {
     channel.spindles = {1, 2};
     channel.channels = {1};
   }
-  [[nodiscard]] std::vector<Request> requests(RequestKind kind) {
-    std::vector<Request> found;
-    for (const Request& request : all<Request>()) {
+  [[nodiscard]] std::vector<ProgramRequest> requests(RequestKind kind) {
+    std::vector<ProgramRequest> found;
+    for (const ProgramRequest& request : all<ProgramRequest>()) {
       if (request.kind == kind) found.push_back(request);
     }
     return found;

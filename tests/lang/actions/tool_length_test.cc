@@ -11,7 +11,7 @@ class ToolLengthTest : public ProgramTest {
     tables.tools[3] = {3, {0.0, 0.0, 30.0}, 0.0};
     tables.tools[4] = {4, {0.0, 0.0, 7.0}, 0.0};
     // Tool 3 is measured while the program waits.
-    answering = [this](const Request&) {
+    answering = [this](const ProgramRequest&) {
       tables.tools[3].length_mm = {0.0, 0.0, 35.0};
       return Answer{};
     };

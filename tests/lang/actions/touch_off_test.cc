@@ -12,10 +12,10 @@ namespace {
 class TouchOff : public ProgramTest {
  protected:
   void SetUp() override {
-    answering = [this](const Request& request) { return write(request); };
+    answering = [this](const ProgramRequest& request) { return write(request); };
   }
 
-  Answer write(const Request& request) {
+  Answer write(const ProgramRequest& request) {
     const auto index = static_cast<std::size_t>(request.index);
     if (request.kind == RequestKind::offset_table_write) {
       if (request.index == rotation_of_offset) {

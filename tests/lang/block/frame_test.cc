@@ -105,7 +105,7 @@ TEST_F(Frames, RotationOfAWorkOffsetTurnsWhatIsOnTopOfIt) {
 }
 
 TEST_F(Frames, AWrittenWorkOffsetHoldsAtOnceWhenItIsActive) {
-  answering = [this](const Request& request) {
+  answering = [this](const ProgramRequest& request) {
     if (request.kind == RequestKind::offset_table_write) {
       tables.offsets[request.number][static_cast<std::size_t>(request.index)] = request.value;
     }
@@ -141,7 +141,7 @@ TEST_F(Frames, ReferencePointsOfTheMachineFileHoldUntilOneIsStored) {
 // It has no point, and the program goes on from where the axes are then.
 TEST_F(Frames, ATapIsTakenOutByG30P99) {
   run("G30 P99\nM30\n");
-  const auto requests = all<Request>();
+  const auto requests = all<ProgramRequest>();
   ASSERT_EQ(requests.size(), 1u);
   EXPECT_EQ(requests[0].kind, RequestKind::tap_out);
   EXPECT_TRUE(all<Move>().empty());

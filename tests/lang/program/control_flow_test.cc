@@ -92,7 +92,7 @@ TEST_F(ControlFlow, RecursesWithItsOwnVariables) {
 }
 
 TEST_F(ControlFlow, CallsWithinExpressionsAfterRequests) {
-  answering = [](const Request&) {
+  answering = [](const ProgramRequest&) {
     Answer answer;
     answer.number = 3.0;
     return answer;
@@ -176,7 +176,7 @@ TEST_F(ControlFlow, EndsTheMainProgramByM99WhereTheChannelDoesNotBeginItAgain) {
 
 TEST_F(ControlFlow, BeginsAgainFromWithinAFunction) {
   int passes = 0;
-  answering = [&](const Request&) {
+  answering = [&](const ProgramRequest&) {
     Answer answer;
     answer.ok = ++passes < 4;
     return answer;

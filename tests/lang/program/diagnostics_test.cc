@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
 class DiagnosticsTest : public ProgramTest {
  protected:
   void refuse_all() {
-    answering = [](const Request&) {
+    answering = [](const ProgramRequest&) {
       Answer answer;
       answer.ok = false;
       answer.text = "E6006 the machine is off";
@@ -103,7 +103,7 @@ TEST_F(DiagnosticsTest, OfOtherRefusalsCarryTheCodeOfTheReason) {
   EXPECT_EQ(error_code("#kinematics (2, 1)\nM30\n"), "E6006");
   EXPECT_EQ(error.message, "the machine is off");
   EXPECT_EQ(error_code("num aa = channel_state (2);\nM30\n"), "E6006");
-  answering = [](const Request&) {
+  answering = [](const ProgramRequest&) {
     Answer answer;
     answer.ok = false;
     return answer;

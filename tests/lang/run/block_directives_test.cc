@@ -28,7 +28,7 @@ TEST_F(BlockDirectivesTest, AMessageIsEmittedWithItsPlace) {
 TEST_F(BlockDirectivesTest, AnOverhangIsInForceWithTheAnswerOnly) {
   state.modal.tool.active = 3;
   execute("#tool_overhang (35, X)\n");
-  EXPECT_EQ(std::get<Request>(emitted()).kind, RequestKind::sync);
+  EXPECT_EQ(std::get<ProgramRequest>(emitted()).kind, RequestKind::sync);
   EXPECT_EQ(pending.overhang().value_mm, 35.0);
   EXPECT_EQ(state.modal.tool.overhang_axis, -1);
   directives.finish_overhang();

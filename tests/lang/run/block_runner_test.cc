@@ -31,7 +31,7 @@ class BlockRunnerTest : public ::testing::Test {
   const ChannelDescription channel = mill_xyzbc();
   MemoryTables tables;
   BlockState state{channel, tables};
-  RunState run{state.queue};
+  RunStage run{state.queue};
   Vm vm{state.channel_words, run};
   ParameterStore parameters{state.around, vm};
   BlockRunner blocks{state, vm, run, parameters};

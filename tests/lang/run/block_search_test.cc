@@ -54,7 +54,7 @@ class BlockSearchTest : public testing::ProgramTest {
       }
       if (step != Step::command) continue;
       collector.take(command);
-      const auto* request = std::get_if<Request>(&command.payload);
+      const auto* request = std::get_if<ProgramRequest>(&command.payload);
       if (request == nullptr) continue;
       const auto answer = collector.answer(*request);
       if (!answer) {

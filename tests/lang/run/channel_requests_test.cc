@@ -9,21 +9,21 @@ namespace {
 class ChannelRequestsTest : public ::testing::Test, protected RunParts {
  protected:
   // The request of the first statement of `text`.
-  Request asked(const std::string& text) {
+  ProgramRequest asked(const std::string& text) {
     load(text);
     EXPECT_TRUE(requests.execute(next_effect()));
     EXPECT_FALSE(run.failed()) << run.error().message;
     const Payload payload = emitted();
-    const auto* const request = std::get_if<Request>(&payload);
+    const auto* const request = std::get_if<ProgramRequest>(&payload);
     EXPECT_NE(request, nullptr);
-    return request != nullptr ? *request : Request{};
+    return request != nullptr ? *request : ProgramRequest{};
   }
 
   ChannelRequests requests{vm, state, pending};
 };
 
 TEST_F(ChannelRequestsTest, AStatementWantsItsResultTrue) {
-  const Request request = asked("channel_stop (2);\n");
+  const ProgramRequest request = asked("channel_stop (2);\n");
   EXPECT_EQ(request.channel, 2);
   EXPECT_TRUE(request.statement);
   Answer no;
@@ -55,7 +55,7 @@ TEST_F(ChannelRequestsTest, MarksTravelInTheQueueAndWaitsAreAsked) {
 }
 
 TEST_F(ChannelRequestsTest, TheEndOfTheProgramIsToldBeforeItFails) {
-  const Request request = asked("terminate (1234, \"worn out\");\n");
+  const ProgramRequest request = asked("terminate (1234, \"worn out\");\n");
   EXPECT_EQ(request.kind, RequestKind::terminate);
   EXPECT_EQ(request.number, 1234);
   EXPECT_EQ(pending.take({}).use, AnswerUse::fail_run);

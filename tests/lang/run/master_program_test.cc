@@ -28,7 +28,7 @@ class MasterProgram : public ProgramTest {
 
   std::vector<std::string> requests() const {
     std::vector<std::string> list;
-    for (const Request& request : all<Request>()) {
+    for (const ProgramRequest& request : all<ProgramRequest>()) {
       list.push_back(std::to_string(static_cast<int>(request.kind)) + " ch" +
                      std::to_string(request.channel) + " n" + std::to_string(request.number) + " " +
                      request.text + (request.statement ? " statement" : ""));
@@ -57,7 +57,7 @@ TEST_F(MasterProgram, RunsBothProgramsInOrder) {
 }
 
 TEST_F(MasterProgram, TerminatesWithTheCodeOfTheProgramWhenARunIsRefused) {
-  answering = [](const Request& request) {
+  answering = [](const ProgramRequest& request) {
     Answer answer;
     answer.ok = request.kind != RequestKind::channel_run || request.text != "Impeller_surface.nc";
     answer.text = answer.ok ? "" : "E7001 file not found: Impeller_surface.nc";
@@ -68,12 +68,12 @@ TEST_F(MasterProgram, TerminatesWithTheCodeOfTheProgramWhenARunIsRefused) {
   EXPECT_EQ(error.code, "U1006");
   EXPECT_EQ(error.message, "Impeller_surface.nc");
   EXPECT_EQ(error.place.line, 12);
-  EXPECT_EQ(all<Request>().back().kind, RequestKind::terminate);
-  EXPECT_EQ(all<Request>().back().number, 1006);
+  EXPECT_EQ(all<ProgramRequest>().back().kind, RequestKind::terminate);
+  EXPECT_EQ(all<ProgramRequest>().back().number, 1006);
 }
 
 TEST_F(MasterProgram, FailsWhenTheAwaitedProgramEndedByAlarm) {
-  answering = [](const Request& request) {
+  answering = [](const ProgramRequest& request) {
     Answer answer;
     answer.ok = request.kind != RequestKind::channel_wait;
     answer.text = "E4020 motion at feed without F";

@@ -39,7 +39,7 @@ TEST(PendingAnswer, AUseHoldsForOneAnswer) {
 
 TEST(PendingAnswer, BlocksSayByTheirRequestWhatTheAnswerIsFor) {
   PendingAnswer pending;
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::input_wait;
   pending.deliver(request);
   EXPECT_EQ(pending.take({}).use, AnswerUse::input_result);
@@ -114,7 +114,7 @@ class RefusedTable : public ProgramTest {};
 
 // The same in two runs of one interpreter.
 TEST_F(RefusedTable, InInchesLeavesTheNumbersOfTheNextProgramAlone) {
-  answering = [](const Request& request) {
+  answering = [](const ProgramRequest& request) {
     Answer answer = number(50.8);
     answer.ok = request.kind != RequestKind::offset_table_read;
     return answer;

@@ -1,10 +1,10 @@
-// The small parts that those who execute a program share, put together without a ProgramRun.
+// The small parts that those who execute a program share, put together without a ProgramExecution.
 #pragma once
 
 #include "lang/run/block_state.h"
 #include "lang/run/parameter_store.h"
 #include "lang/run/pending_answer.h"
-#include "lang/run/run_state.h"
+#include "lang/run/run_stage.h"
 #include "lang/run/vm.h"
 #include "tests/lang/program_support.h"
 
@@ -43,7 +43,7 @@ struct RunParts {
   const ChannelDescription channel = mill_xyzbc();
   MemoryTables tables;
   BlockState state{channel, tables};
-  RunState run{state.queue};
+  RunStage run{state.queue};
   Vm vm{state.channel_words, run};
   ParameterStore parameters{state.around, vm};
   PendingAnswer pending;

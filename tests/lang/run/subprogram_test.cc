@@ -28,7 +28,7 @@ TEST_F(Subprograms, SwitchAnOutputThatHasACodeAndWaitForItsFeedback) {
   EXPECT_EQ(outputs[0].value, 1.0);
   EXPECT_EQ(outputs[1].number, 5);
   EXPECT_EQ(outputs[1].value, 0.0);
-  const auto requests = all<Request>();
+  const auto requests = all<ProgramRequest>();
   ASSERT_EQ(requests.size(), 1u);
   EXPECT_EQ(requests[0].kind, RequestKind::input_wait);
   EXPECT_EQ(requests[0].number, 7);
@@ -58,7 +58,7 @@ TEST_F(Subprograms, MaySwitchOutputsWithCodesThatOnlyLinuxcncHas) {
 
 TEST_F(Subprograms, EndWhereTheFeedbackOfAnOutputDoesNotCome) {
   map("M10", "output 4 off, input 7 within 2 s");
-  answering = [](const Request& request) {
+  answering = [](const ProgramRequest& request) {
     Answer answer;
     answer.ok = request.kind != RequestKind::input_wait;
     return answer;
@@ -202,7 +202,7 @@ TEST_F(Subprograms, CallsMacrosOfTheMachineFile) {
   EXPECT_EQ(list[0].end[1], 3.0);
   EXPECT_EQ(all<ToolChange>().at(0).tool, 5);
   EXPECT_EQ(all<MachineFunction>().at(0).code, 120);
-  EXPECT_EQ(all<Request>().size(), 1u);
+  EXPECT_EQ(all<ProgramRequest>().size(), 1u);
   EXPECT_EQ(error_code("G200 Z3\nM30\n"), "E3019");
   EXPECT_EQ(error.stack.size(), 1u);
   EXPECT_EQ(error_code("G200 X1 G1\nM30\n"), "E4013");

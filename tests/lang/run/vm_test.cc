@@ -33,7 +33,7 @@ class VmTest : public ::testing::Test {
   const ChannelDescription channel = mill_xyzbc();
   const ChannelWords words{channel};
   CommandQueue queue;
-  RunState run{queue};
+  RunStage run{queue};
   Vm vm{words, run};
 };
 
@@ -92,7 +92,7 @@ TEST_F(VmTest, FailsWithTheSpanOfTheInstruction) {
 TEST_F(VmTest, CallsHaveSlotsOfTheirOwnThatAreGoneWhenTheyAreLeft) {
   load({{Op::end_of_text, 0, 0, 0}}, {}, 1);
   vm.stack().push(value_of(1.0));
-  Frame frame = vm.frame_at_top(0);
+  CallFrame frame = vm.frame_at_top(0);
   FunctionCode function;
   function.signature.name = "half";
   function.slots = 3;
@@ -114,7 +114,7 @@ TEST_F(VmTest, RefusesTheSixtyFifthNestedCall) {
   vm.step();
   for (std::size_t i = 0; i < 64; ++i) {
     ASSERT_TRUE(vm.check_call_depth());
-    Frame frame = vm.frame_at_top(0);
+    CallFrame frame = vm.frame_at_top(0);
     frame.position = 1;
     vm.enter(std::move(frame));
   }

@@ -142,7 +142,7 @@ TEST_F(ExpressionTest, KnowsRParametersAndSystemVariables) {
 }
 
 TEST_F(ExpressionTest, StopsInItsMiddleForTheAnswerOfTheChannel) {
-  answering = [](const Request& request) {
+  answering = [](const ProgramRequest& request) {
     Answer answer;
     answer.number = request.kind == RequestKind::channel_state ? 2.0 : 10.0 + request.index;
     return answer;
@@ -152,12 +152,12 @@ TEST_F(ExpressionTest, StopsInItsMiddleForTheAnswerOfTheChannel) {
       "if (channel_state (2) == CH_RUNNING) { G0 Y1 }\nM30\n");
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0].end[0], 1.0 + 20.0 + 11.0 + 10.0);
-  EXPECT_EQ(all<Request>().at(1).text, "pos");
-  EXPECT_EQ(all<Request>().at(2).text, "clock");
+  EXPECT_EQ(all<ProgramRequest>().at(1).text, "pos");
+  EXPECT_EQ(all<ProgramRequest>().at(2).text, "clock");
 }
 
 TEST_F(ExpressionTest, TellsWhyAChannelFunctionReturnedFalse) {
-  answering = [](const Request&) {
+  answering = [](const ProgramRequest&) {
     Answer answer;
     answer.ok = false;
     answer.text = "E7001 file not found: a.nc";

@@ -102,7 +102,7 @@ TEST_F(PlainProgram, ExecutesABlockInFixedOrder) {
   for (const Command& command : commands) kinds.push_back(command.payload.index());
   const Payload order[] = {SpindleCommand{}, ToolPrepare{},    ToolChange{},     SpindleCommand{},
                            CoolantCommand{}, Dwell{},          Move{},           ProgramStop{},
-                           Request{},        SpindleCommand{}, CoolantCommand{}, ProgramEnd{}};
+                           ProgramRequest{}, SpindleCommand{}, CoolantCommand{}, ProgramEnd{}};
   std::vector<std::size_t> expected;
   for (const Payload& payload : order) expected.push_back(payload.index());
   EXPECT_EQ(kinds, expected) << to_text(error);
@@ -212,7 +212,7 @@ TEST_F(PlainProgram, MovesItsOwnPointByTheToolLength) {
 
 TEST_F(PlainProgram, WaitsForThePositionWhenTipControlBeginsAndEnds) {
   tables.tools[1] = {1, {0.0, 0.0, 60.0}, 0.0};
-  answering = [](const Request&) {
+  answering = [](const ProgramRequest&) {
     Answer answer;
     answer.position_valid = true;
     answer.position_B = {1.0, 2.0, 3.0, 30.0, 40.0};
@@ -223,7 +223,7 @@ TEST_F(PlainProgram, WaitsForThePositionWhenTipControlBeginsAndEnds) {
   EXPECT_EQ(list[0].end[0], 2.0);
   EXPECT_EQ(list[0].end[4], 40.0);
   EXPECT_EQ(list[1].end[0], 2.0);
-  const auto requests = all<Request>();
+  const auto requests = all<ProgramRequest>();
   ASSERT_EQ(requests.size(), 2u);
   EXPECT_EQ(requests[0].kind, RequestKind::sync);
 }
@@ -232,7 +232,7 @@ TEST_F(PlainProgram, WaitsForThePositionWhenTipControlBeginsAndEnds) {
 // the tip has been found at, for programmed axes, for the others and for the next block.
 TEST_F(PlainProgram, GoesOnInTheBlockOfTipControlFromThePositionOfTheTip) {
   tables.tools[1] = {1, {0.0, 0.0, 60.0}, 0.0};
-  answering = [](const Request&) {
+  answering = [](const ProgramRequest&) {
     Answer answer;
     answer.position_valid = true;
     answer.position_B = {1.0, 2.0, 3.0, 30.0, 40.0};
@@ -273,8 +273,8 @@ TEST_F(PlainProgram, DwellsInSecondsOrRevolutions) {
 
 TEST_F(PlainProgram, WritesOffsetsByG10) {
   tables.offsets[2] = {50.0};
-  std::vector<Request> writes;
-  answering = [&](const Request& request) {
+  std::vector<ProgramRequest> writes;
+  answering = [&](const ProgramRequest& request) {
     writes.push_back(request);
     tables.offsets[request.number][static_cast<std::size_t>(request.index)] = request.value;
     return Answer{};

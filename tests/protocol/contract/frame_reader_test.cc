@@ -9,8 +9,8 @@
 namespace stanok::protocol {
 namespace {
 
-std::vector<Frame> drain(FrameReader& reader) {
-  std::vector<Frame> frames;
+std::vector<TextFrame> drain(FrameReader& reader) {
+  std::vector<TextFrame> frames;
   while (auto frame = reader.next()) frames.push_back(std::move(*frame));
   return frames;
 }
@@ -69,11 +69,11 @@ TEST(FrameReader, DoesNotCareHowTheStreamIsCut) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     std::mt19937 random(seed);
     FrameReader reader(16);
-    std::vector<Frame> frames;
+    std::vector<TextFrame> frames;
     for (std::size_t begin = 0; begin < stream.size();) {
       const std::size_t length = 1 + random() % 40;
       reader.append(std::string_view(stream).substr(begin, length));
-      for (Frame& frame : drain(reader)) frames.push_back(std::move(frame));
+      for (TextFrame& frame : drain(reader)) frames.push_back(std::move(frame));
       begin += length;
     }
     ASSERT_EQ(frames.size(), expected.size()) << "seed " << seed;

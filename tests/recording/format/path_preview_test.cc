@@ -6,7 +6,7 @@
 #include <cmath>
 #include <lcm/lcm-cpp.hpp>
 
-#include "recording/stream/publisher.h"
+#include "recording/stream/lcm_publisher.h"
 #include "tests/recording/recorded_log.h"
 
 namespace stanok::recording {
@@ -113,7 +113,7 @@ class PathOnTheBus : public ::testing::Test {
     return preview;
   }
 
-  Publisher publisher{"memq://"};
+  LcmPublisher publisher{"memq://"};
   MessageStream stream{small_machine(), {&publisher}};
   std::vector<path_t> messages;
 };

@@ -16,7 +16,7 @@
 #include "recording/format/decode.h"
 #include "recording/format/encode_tool_row.h"
 #include "recording/read/log_export.h"
-#include "recording/stream/publisher.h"
+#include "recording/stream/lcm_publisher.h"
 #include "tests/recording/recorded_log.h"
 #include "tests/support/project_folders.h"
 
@@ -334,8 +334,8 @@ void keep_position(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*ch
   positions->push_back(setpoint->position[0]);
 }
 
-TEST(Publisher, ReachesASubscriberOnTheBus) {
-  Publisher publisher("memq://");
+TEST(LcmPublisher, ReachesASubscriberOnTheBus) {
+  LcmPublisher publisher("memq://");
   ASSERT_TRUE(publisher.good());
   std::vector<double> positions;
   publisher.bus()->subscribeFunction(setpoint_channel, &keep_position, &positions);

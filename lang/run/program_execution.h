@@ -8,10 +8,10 @@
 //   BlockDirectives    messages, #directives, saved state    TextPlaces      contours, lines
 //   ChannelRequests    what is asked of the channel          PendingAnswer   what is waited for
 //   MacroRequests      variables of the machine
-//   RunState           running, ended or failed, and why
+//   RunStage           running, ended or failed, and why
 //
 // Owner: Interpreter, on the thread of the preparation. A run can stop after any instruction: at a
-// bound of work, with a command, or at a Request whose answer is owed.
+// bound of work, with a command, or at a ProgramRequest whose answer is owed.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@
 #include "lang/run/macro_requests.h"
 #include "lang/run/parameter_store.h"
 #include "lang/run/pending_answer.h"
-#include "lang/run/run_state.h"
+#include "lang/run/run_stage.h"
 #include "lang/run/subprogram_calls.h"
 #include "lang/run/text_places.h"
 #include "lang/run/value_instructions.h"
@@ -39,9 +39,9 @@
 
 namespace stanok::lang {
 
-class ProgramRun {
+class ProgramExecution {
  public:
-  ProgramRun(const ChannelDescription& channel, Tables& tables);
+  ProgramExecution(const ChannelDescription& channel, Tables& tables);
 
   void start(std::shared_ptr<const Program> program, const AxisValues& position_B);
   void start_line(std::shared_ptr<const Program> program, const AxisValues& position_B);
@@ -95,7 +95,7 @@ class ProgramRun {
   void take_probe_answer(AnswerUse use, const Answer& answer);
 
   BlockState state_;
-  RunState run_;
+  RunStage run_;
   Vm vm_;
   ParameterStore parameters_;
   PendingAnswer pending_;

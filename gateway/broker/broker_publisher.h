@@ -1,4 +1,5 @@
-// Publisher: states of the board and events of the outbox to the broker, in a thread of its own.
+// BrokerPublisher: states of the board and events of the outbox to the broker, in a thread of its
+// own.
 //
 // States are sent when they are new and nothing else waits for the network: a slow broker gets
 // fewer of them. Events are sent in their order, some of them at once, until the broker has
@@ -21,12 +22,12 @@
 
 namespace stanok::gateway {
 
-class Publisher {
+class BrokerPublisher {
  public:
   static constexpr const char* consumer = "broker";
 
-  Publisher(BrokerOptions options, std::string prefix, std::filesystem::path outbox,
-            StateBoard& board);
+  BrokerPublisher(BrokerOptions options, std::string prefix, std::filesystem::path outbox,
+                  StateBoard& board);
 
   // Until it is asked to stop.
   void run(const std::stop_token& stop);

@@ -28,14 +28,14 @@ struct PublisherStatus {
   std::int64_t lost = 0;  // messages the bus did not take
 };
 
-class Publisher : public MessageSink {
+class LcmPublisher : public MessageSink {
  public:
   // `url` as of LCM; empty: LCM_DEFAULT_URL, else default_lcm_url. "tcpq" is refused: LCM aborts
   // the process when its server is absent.
-  explicit Publisher(std::string url);
-  ~Publisher() override;
-  Publisher(const Publisher&) = delete;
-  Publisher& operator=(const Publisher&) = delete;
+  explicit LcmPublisher(std::string url);
+  ~LcmPublisher() override;
+  LcmPublisher(const LcmPublisher&) = delete;
+  LcmPublisher& operator=(const LcmPublisher&) = delete;
 
   void send(const std::string& channel, std::int64_t utime,
             std::span<const std::uint8_t> bytes) override;

@@ -1,8 +1,8 @@
 // Whether a run goes on, and why it failed: nothing else changes the stage of a run.
 //
-// Owner: ProgramRun, on the thread of the preparation. Invariants: a failed run has an error, and
-// the commands of the block that failed are gone from the queue, so that motion stops at the end of
-// the block before.
+// Owner: ProgramExecution, on the thread of the preparation. Invariants: a failed run has an error,
+// and the commands of the block that failed are gone from the queue, so that motion stops at the
+// end of the block before.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace stanok::lang {
 
-class RunState {
+class RunStage {
  public:
   enum class Stage : std::uint8_t { idle, running, ended, failed };
 
   // `queue` must outlive this.
-  explicit RunState(CommandQueue& queue) : queue_(queue) {}
+  explicit RunStage(CommandQueue& queue) : queue_(queue) {}
 
   [[nodiscard]] bool running() const { return stage_ == Stage::running; }
   [[nodiscard]] bool failed() const { return stage_ == Stage::failed; }

@@ -1,4 +1,4 @@
-#include "lang/run/program_run.h"
+#include "lang/run/program_execution.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -20,7 +20,7 @@ constexpr std::uint64_t free_steps_of_byte = limits::steps_of_block / 2;
 
 }  // namespace
 
-ProgramRun::ProgramRun(const ChannelDescription& channel, Tables& tables)
+ProgramExecution::ProgramExecution(const ChannelDescription& channel, Tables& tables)
     : state_(channel, tables),
       run_(state_.queue),
       vm_(state_.channel_words, run_),
@@ -35,14 +35,15 @@ ProgramRun::ProgramRun(const ChannelDescription& channel, Tables& tables)
 
 // How a run begins: a program with the default modal state, a line with that in which the channel
 // stands.
-void ProgramRun::start(std::shared_ptr<const Program> program, const AxisValues& position_B) {
+void ProgramExecution::start(std::shared_ptr<const Program> program, const AxisValues& position_B) {
   reset(std::move(program));
   line_runs_ = false;
   blocks_.begin(position_B);
   begin();
 }
 
-void ProgramRun::start_line(std::shared_ptr<const Program> program, const AxisValues& position_B) {
+void ProgramExecution::start_line(std::shared_ptr<const Program> program,
+                                  const AxisValues& position_B) {
   reset(std::move(program));
   line_runs_ = true;
   blocks_.begin_line(position_B);
@@ -50,9 +51,9 @@ void ProgramRun::start_line(std::shared_ptr<const Program> program, const AxisVa
 }
 
 // Text of a file outside braces and subprograms; what stands before it is left out.
-std::optional<Diagnostic> ProgramRun::start_at(std::shared_ptr<const Program> program,
-                                               const AxisValues& position_B,
-                                               const StopPlace& place) {
+std::optional<Diagnostic> ProgramExecution::start_at(std::shared_ptr<const Program> program,
+                                                     const AxisValues& position_B,
+                                                     const StopPlace& place) {
   start(std::move(program), position_B);
   vm_.frame().file = place.file;
   if (texts_.enter(place.line)) return std::nullopt;
@@ -65,12 +66,12 @@ std::optional<Diagnostic> ProgramRun::start_at(std::shared_ptr<const Program> pr
   return diagnostic;
 }
 
-void ProgramRun::stop_before(const StopPlace& place) {
+void ProgramExecution::stop_before(const StopPlace& place) {
   stop_.set(place);
   parameters_.begin_search();
 }
 
-void ProgramRun::reset(std::shared_ptr<const Program> program) {
+void ProgramExecution::reset(std::shared_ptr<const Program> program) {
   parameters_.end_search();
   calls_.end_modal();
   parameters_.begin(program);
@@ -87,12 +88,12 @@ void ProgramRun::reset(std::shared_ptr<const Program> program) {
   }
 }
 
-void ProgramRun::begin() {
+void ProgramExecution::begin() {
   blocks_.emit_first_commands();
   run_.begin();
 }
 
-Step ProgramRun::next(Command& command) {
+Step ProgramExecution::next(Command& command) {
   if (pending_.owed()) return Step::waiting;
   if (run_.running() && steps() - count_.renewed_at > count_.most) fail_endless();
   int work = 0;
@@ -103,14 +104,14 @@ Step ProgramRun::next(Command& command) {
 }
 
 // At the statement that would come next: the run is somewhere in its loop.
-void ProgramRun::fail_endless() {
+void ProgramExecution::fail_endless() {
   vm_.fail_at(vm_.next_span(), "E8005",
               "an endless loop: " + std::to_string(state_.channel.bounds.steps / 1'000'000) +
                   " million steps without moving, waiting or asking",
               "it was here at that time");
 }
 
-Step ProgramRun::advance(Command& command, int& work) {
+Step ProgramExecution::advance(Command& command, int& work) {
   for (; work < work_bound; ++work) {
     if (blocks_.compensating()) {
       if (!blocks_.compensated().empty()) return deliver(blocks_.compensated(), command);
@@ -135,20 +136,20 @@ Step ProgramRun::advance(Command& command, int& work) {
 
 // The channel stands as a line had it before the statement that failed; behind a program as behind
 // its end; a search has moved nothing.
-void ProgramRun::break_off() {
+void ProgramExecution::break_off() {
   if (!line_runs_ && !stop_.active())
     blocks_.stand_behind_program(BlockRunner::ProgramLeft::broken_off);
 }
 
 // A line of plain code. True: it is one command, which is all that there is of it.
-bool ProgramRun::run_line(Command& command) {
+bool ProgramExecution::run_line(Command& command) {
   const BlockRunner::LineResult result = blocks_.take_line(command);
   if (result == BlockRunner::LineResult::block) execute_block();
   return result == BlockRunner::LineResult::command;
 }
 
 // The run has failed when it cannot be entered where the search stops.
-bool ProgramRun::stops_here() {
+bool ProgramExecution::stops_here() {
   if (!stop_.is_reached(vm_, texts_)) return false;
   parameters_.end_search();
   if (state_.modal.compensation.on()) {
@@ -163,7 +164,7 @@ bool ProgramRun::stops_here() {
 
 // The next instruction with an effect and, except in a search, the computing ones before it;
 // returns how many these were.
-int ProgramRun::run_code(int bound) {
+int ProgramExecution::run_code(int bound) {
   if (texts_.in_contour()) {
     texts_.leave_contour();
     return 0;
@@ -173,7 +174,7 @@ int ProgramRun::run_code(int bound) {
   return computed;
 }
 
-void ProgramRun::execute_effect(const Instruction& instruction) {
+void ProgramExecution::execute_effect(const Instruction& instruction) {
   if (instruction.op == Op::block) {
     if (blocks_.take_block(instruction)) execute_block();
     return;
@@ -186,7 +187,7 @@ void ProgramRun::execute_effect(const Instruction& instruction) {
   STANOK_ASSERT(done);
 }
 
-void ProgramRun::execute_block() {
+void ProgramExecution::execute_block() {
   blocks_.begin_block();
   if (state_.calls_modal && calls_.calls_for_blocks()) return calls_.call_modal();
   const auto macro = calls_.macro_of_block();
@@ -205,7 +206,7 @@ void ProgramRun::execute_block() {
   calls_.call_macro(*macro);
 }
 
-void ProgramRun::follow(const BlockFlow& flow) {
+void ProgramExecution::follow(const BlockFlow& flow) {
   switch (flow.kind) {
     case Flow::next:
       break;
@@ -239,23 +240,23 @@ void ProgramRun::follow(const BlockFlow& flow) {
 }
 
 // The main program begins again; the channel is asked before.
-void ProgramRun::leave_subprogram() {
+void ProgramExecution::leave_subprogram() {
   const auto left = calls_.leave_subprogram();
   if (left == SubprogramCalls::Left::again) return texts_.go_to_block(vm_.frame().block);
   if (left == SubprogramCalls::Left::subprogram) return;
   if (line_runs_) return end_program(ProgramEndKind::restart);
-  Request request;
+  ProgramRequest request;
   request.kind = RequestKind::program_restart;
   requests_.ask(std::move(request), AnswerUse::restart);
 }
 
 // M99 P: to a block of the caller; in the main program to one of its own.
-void ProgramRun::leave_for_block(int block) {
+void ProgramExecution::leave_for_block(int block) {
   calls_.leave_subprogram(SubprogramCalls::Repeats::forgotten);
   if (run_.running()) texts_.go_to_block(block);
 }
 
-void ProgramRun::end_text() {
+void ProgramExecution::end_text() {
   state_.begin_commands(vm_.instruction_origin());
   if (vm_.frames().size() > 1) return leave_subprogram();
   if (const ProgrammedCurve& curve = state_.modal.curve; curve.open()) {
@@ -266,7 +267,7 @@ void ProgramRun::end_text() {
 }
 
 // What M2 and M30 reset is told to the channel before the end itself.
-void ProgramRun::end_program(ProgramEndKind kind) {
+void ProgramExecution::end_program(ProgramEndKind kind) {
   run_.end();
   const bool ends_like_text =
       kind == ProgramEndKind::end_of_text || kind == ProgramEndKind::restart;
@@ -279,16 +280,16 @@ void ProgramRun::end_program(ProgramEndKind kind) {
   if (!stop_.active()) blocks_.stand_behind_program(BlockRunner::ProgramLeft::ended);
 }
 
-Step ProgramRun::deliver(CommandQueue& queue, Command& command) {
+Step ProgramExecution::deliver(CommandQueue& queue, Command& command) {
   queue.take(command);
   blocks_.note_delivered(command.payload);
-  if (const auto* const request = std::get_if<Request>(&command.payload)) {
+  if (const auto* const request = std::get_if<ProgramRequest>(&command.payload)) {
     pending_.deliver(*request, command.origin);
   }
   return Step::command;
 }
 
-void ProgramRun::answer(const Answer& answer) {
+void ProgramExecution::answer(const Answer& answer) {
   if (!pending_.accept()) return;
   if (answer.position_valid) blocks_.adopt_position(answer.position_B);
   if (state_.queue.empty()) blocks_.take_written_offset();
@@ -306,7 +307,7 @@ void ProgramRun::answer(const Answer& answer) {
 
 // A plain line is no instruction: what it has asked for fails in its own place, not in that of the
 // instruction before.
-void ProgramRun::fail_asker(Diagnostic diagnostic) {
+void ProgramExecution::fail_asker(Diagnostic diagnostic) {
   const Origin& asker = pending_.origin();
   const Origin instruction = vm_.instruction_origin();
   const bool is_instruction = asker.file == instruction.file && asker.line == instruction.line;
@@ -315,7 +316,7 @@ void ProgramRun::fail_asker(Diagnostic diagnostic) {
 }
 
 // What is done with the answer to a request, where it has no value for the stack.
-void ProgramRun::finish(AnswerUse use, const Answer& answer) {
+void ProgramExecution::finish(AnswerUse use, const Answer& answer) {
   switch (use) {
     case AnswerUse::input_result:
       return parameters_.set_input_result(answer.ok ? answer.number : -1.0);
@@ -343,7 +344,7 @@ void ProgramRun::finish(AnswerUse use, const Answer& answer) {
   }
 }
 
-void ProgramRun::take_feedback(const Answer& answer) {
+void ProgramExecution::take_feedback(const Answer& answer) {
   if (answer.ok) return;
   const PendingAnswer::Feedback& wanted = pending_.feedback();
   char seconds[32];
@@ -354,7 +355,7 @@ void ProgramRun::take_feedback(const Answer& answer) {
                             "the feedback of this output"));
 }
 
-void ProgramRun::take_probe_answer(AnswerUse use, const Answer& answer) {
+void ProgramExecution::take_probe_answer(AnswerUse use, const Answer& answer) {
   blocks_.take_probe_answer(answer);
   if (!answer.ok && use == AnswerUse::probe_or_alarm)
     fail_asker(vm_.diagnostic("E4320", "the probe did not change", "nothing found"));

@@ -1,4 +1,4 @@
-#include "recording/stream/publisher.h"
+#include "recording/stream/lcm_publisher.h"
 
 #include <cstdlib>
 #include <lcm/lcm-cpp.hpp>
@@ -16,22 +16,22 @@ std::string chosen_url(std::string url) {
 
 }  // namespace
 
-Publisher::Publisher(std::string url) {
+LcmPublisher::LcmPublisher(std::string url) {
   status_.url = chosen_url(std::move(url));
   reopen();
 }
 
-void Publisher::reopen() {
+void LcmPublisher::reopen() {
   if (bus_ != nullptr || status_.url.starts_with("tcpq")) return;
   bus_ = std::make_unique<lcm::LCM>(status_.url);
   status_.open = bus_->good();
   if (!status_.open) bus_.reset();
 }
 
-Publisher::~Publisher() = default;
+LcmPublisher::~LcmPublisher() = default;
 
-void Publisher::send(const std::string& channel, std::int64_t /*utime*/,
-                     std::span<const std::uint8_t> bytes) {
+void LcmPublisher::send(const std::string& channel, std::int64_t /*utime*/,
+                        std::span<const std::uint8_t> bytes) {
   if (bus_ == nullptr) {
     ++status_.lost;
     return;

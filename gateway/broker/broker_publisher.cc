@@ -1,4 +1,4 @@
-#include "gateway/broker/publisher.h"
+#include "gateway/broker/broker_publisher.h"
 
 #include <spdlog/spdlog.h>
 
@@ -20,15 +20,15 @@ constexpr std::size_t under_way_max = 64;
 
 }  // namespace
 
-Publisher::Publisher(BrokerOptions options, std::string prefix, std::filesystem::path outbox,
-                     StateBoard& board)
+BrokerPublisher::BrokerPublisher(BrokerOptions options, std::string prefix,
+                                 std::filesystem::path outbox, StateBoard& board)
     : options_(std::move(options)),
       prefix_(std::move(prefix)),
       outbox_file_(std::move(outbox)),
       board_(board),
       settled_(options_.resent) {}
 
-void Publisher::run(const std::stop_token& stop) {
+void BrokerPublisher::run(const std::stop_token& stop) {
   Backoff backoff;
   while (!stop.stop_requested()) {
     was_connected_ = false;
@@ -44,7 +44,7 @@ void Publisher::run(const std::stop_token& stop) {
   }
 }
 
-void Publisher::serve(const std::stop_token& stop, Outbox& outbox) {
+void BrokerPublisher::serve(const std::stop_token& stop, Outbox& outbox) {
   const std::string own_topic(topic_of(prefix_, "", topic::gateway));
   BrokerConnection connection(options_, {own_topic, online("no"), Will::Keeping::retained});
   under_way_.clear();
@@ -68,13 +68,13 @@ void Publisher::serve(const std::stop_token& stop, Outbox& outbox) {
   connection.end();
 }
 
-void Publisher::send_states(BrokerConnection& connection) {
+void BrokerPublisher::send_states(BrokerConnection& connection) {
   if (!connection.has_sent_all()) return;
   for (const auto& [topic, payload] : board_.take_new())
     connection.publish_retained(topic, payload);
 }
 
-void Publisher::send_events(BrokerConnection& connection, Outbox& outbox) {
+void BrokerPublisher::send_events(BrokerConnection& connection, Outbox& outbox) {
   if (under_way_.size() >= under_way_max) return;
   const auto room = static_cast<std::int64_t>(under_way_max - under_way_.size());
   for (StoredEvent& stored : outbox.behind(sent_, room)) {
@@ -88,7 +88,7 @@ void Publisher::send_events(BrokerConnection& connection, Outbox& outbox) {
 }
 
 // The position is behind the last one before which all were acknowledged long enough ago.
-void Publisher::note_acknowledged(BrokerConnection& connection, Outbox& outbox) {
+void BrokerPublisher::note_acknowledged(BrokerConnection& connection, Outbox& outbox) {
   const auto now = SettledPosition::Clock::now();
   const std::set<int> acknowledged = connection.take_acknowledged();
   if (!acknowledged.empty()) {
@@ -98,7 +98,7 @@ void Publisher::note_acknowledged(BrokerConnection& connection, Outbox& outbox) 
   if (const auto number = settled_.take(now)) outbox.set_position(consumer, *number);
 }
 
-std::string Publisher::online(const char* word) const {
+std::string BrokerPublisher::online(const char* word) const {
   return board_.payload(0, wall_clock_s(), {{"online", std::string(word) == "yes"}});
 }
 
