@@ -26,6 +26,13 @@ CUTS = int(sys.argv[4]) if len(sys.argv) > 4 else 12
 SEED = int(os.environ.get("STANOK_SEED", "53"))
 
 
+def plausible(value):
+    """Hundredths of a millimetre, up to 400 mm and back: tools have a longest length, changes a largest size."""
+    longest = 40000
+    way = value % (2 * longest)
+    return min(way, 2 * longest - way) / 100
+
+
 class Disk:
     """The image that the shim keeps, and the folder that comes of it."""
 
@@ -95,7 +102,7 @@ class PowerCuts(unittest.TestCase):
 
     def change(self, operator, ledger, client, value):
         """One of the kinds of changes; each client has names of its own."""
-        kind, shown = self.chance.randrange(4), value / 100
+        kind, shown = self.chance.randrange(4), plausible(value)
         name, ask = {
             0: (f"length of T{client}", lambda: operator.ask("tool.set", number=client, key="length", value=shown)),
             1: (f"G5{3 + client} X", lambda: operator.ask("offset.set", offset=f"G5{3 + client}", axis="X", value=shown)),
@@ -168,6 +175,7 @@ class PowerCuts(unittest.TestCase):
                     client.start()
                 most = self.chance.randrange(1, 40)
                 while len(ledger.values) == 0 or (most := most - 1) > 0:
+                    self.assertTrue(any(client.is_alive() for client in clients), "no client asks for anything")
                     time.sleep(0.005)
             finally:
                 process.kill()
