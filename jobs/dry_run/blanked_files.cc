@@ -1,6 +1,8 @@
 #include "jobs/dry_run/blanked_files.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 
 #include "base/utf8.h"
 
@@ -35,6 +37,14 @@ bool BlankedFiles::may_miss_before(const Place& place) const {
   return !only_behind || lines_.size() > (lines == lines_.end() ? 0U : 1U);
 }
 
+// Words do not overlap: the one that begins here or before is the only one that can.
+bool BlankedFiles::stands_in(const std::set<Word>& words, int line, int column) {
+  const auto behind = words.upper_bound({line, column, std::numeric_limits<int>::max()});
+  if (behind == words.begin()) return false;
+  const Word& word = *std::prev(behind);
+  return word.line == line && column < word.end_column;
+}
+
 Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> BlankedFiles::read(
     std::string_view name, std::string_view from) const {
   auto read = files_.read(name, from);
@@ -44,10 +54,7 @@ Expected<std::shared_ptr<const lang::SourceText>, Diagnostic> BlankedFiles::read
   auto text = std::make_shared<lang::SourceText>(**read);
   const auto is_at_fault = [&](int line, int column) {
     if (lines != lines_.end() && lines->second.contains(line)) return true;
-    return words != words_.end() &&
-           std::any_of(words->second.begin(), words->second.end(), [&](const Word& word) {
-             return word.line == line && column >= word.column && column < word.end_column;
-           });
+    return words != words_.end() && stands_in(words->second, line, column);
   };
   int line = 1;
   int column = 0;  // of characters, as in places

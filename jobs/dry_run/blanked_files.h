@@ -37,6 +37,8 @@ class BlankedFiles : public lang::Files {
     int end_column = 0;
     auto operator<=>(const Word&) const = default;
   };
+  [[nodiscard]] static bool stands_in(const std::set<Word>& words, int line, int column);
+
   std::map<std::string, std::set<Word>> words_;
 };
 

@@ -12,6 +12,12 @@ namespace {
 
 constexpr std::uint64_t steps_behind_errors = 1'000'000;  // of a text whose faulty lines are blank
 
+// W213 is the sum of the errors that are not shown, E2042 says that the text is for something else.
+bool may_say_more(const Diagnostics& diagnostics) {
+  return std::ranges::none_of(
+      diagnostics, [](const Diagnostic& one) { return one.code == "W213" || one.code == "E2042"; });
+}
+
 // Walks from the first program into the programs that it dispatches, each pair of channel, scheme
 // and program once.
 class Check {
@@ -35,7 +41,8 @@ class Check {
           follow(request.channel, active == schemes.end() ? -1 : active->second, request.text);
         },
         manner_);
-    if (!result.loaded) look_behind(result.diagnostics, channel, scheme, program);
+    if (!result.loaded && may_say_more(result.diagnostics))
+      look_behind(result.diagnostics, channel, scheme, program);
     for (Diagnostic& diagnostic : result.diagnostics) keep(std::move(diagnostic));
     found.blocks += result.blocks;
     found.laws.insert(found.laws.end(), result.laws.begin(), result.laws.end());

@@ -58,14 +58,11 @@ std::optional<NamedProgram> program_of_block(const IsoBlock& block) {
   return program;
 }
 
-Diagnostic foreign_control(const Source& source, const Span& span, std::string_view control) {
-  Diagnostic diagnostic = diagnostic_at(source, "E2042", span,
-                                        "this looks like a program for " +
-                                            std::string(control == "Okuma" ? "an " : "a ") +
-                                            std::string(control) + " control",
-                                        "words of that control");
-  diagnostic.help.emplace_back(
-      "stanok reads ISO programs; post-process the part for Fanuc, Haas or LinuxCNC");
+Diagnostic foreign_text(const Source& source, const Span& span, const ForeignText& foreign) {
+  Diagnostic diagnostic =
+      diagnostic_at(source, "E2042", span, "this looks like " + std::string(foreign.what),
+                    "words of such a text");
+  diagnostic.help.emplace_back(foreign.remedy);
   return diagnostic;
 }
 
@@ -175,9 +172,8 @@ void Loader::parse(FileIndex index) {
     reporter.warning("W210", source.lone_frame_mark(), "the program has only one line with %",
                      "a second one is missing");
   }
-  const std::string_view control = control_of_header(source.text());
-  if (!control.empty()) {
-    reporter.tell_only(foreign_control(source, source.words_of_line(1), control));
+  if (const ForeignText* const foreign = foreign_by_header(source.text())) {
+    reporter.tell_only(foreign_text(source, source.words_of_line(1), *foreign));
     return;
   }
   if (!source.dialect_problem().empty()) {
@@ -198,7 +194,7 @@ void Loader::parse(FileIndex index) {
   if (source.rules().is_haas()) loaded_[index].includes_engraving = make_engravings(tree, reporter);
   loaded_[index].tree = std::move(tree);
   list_definitions(loaded_[index]);
-  tell_foreign_control(index);
+  tell_foreign_text(index);
 }
 
 void Loader::list_definitions(LoadedFile& file) {
@@ -210,14 +206,14 @@ void Loader::list_definitions(LoadedFile& file) {
   }
 }
 
-void Loader::tell_foreign_control(FileIndex index) {
+void Loader::tell_foreign_text(FileIndex index) {
   const Source& source = program_->files[index]->source;
   Reporter& reporter = *loaded_[index].reporter;
-  const auto is_foreign = [](std::string_view line) { return !control_of_line(line).empty(); };
+  const auto is_foreign = [](std::string_view line) { return foreign_by_line(line) != nullptr; };
   const auto line = reporter.find_error_line(is_foreign);
   if (!line) return;
   const Span words = source.words_of_line(*line);
-  reporter.tell_only(foreign_control(source, words, control_of_line(source.text(words))));
+  reporter.tell_only(foreign_text(source, words, *foreign_by_line(source.text(words))));
 }
 
 void Loader::follow_includes(FileIndex index) {
@@ -398,7 +394,10 @@ void Loader::compile_all() {
   }
   // Included files stand behind those that include them, and their constants come first.
   for (std::size_t i = loaded_.size(); i-- > 0;) compilers[i]->declare_names(loaded_[i].tree);
-  for (std::size_t i = 0; i < loaded_.size(); ++i) compilers[i]->compile(loaded_[i].tree);
+  for (std::size_t i = 0; i < loaded_.size(); ++i) {
+    compilers[i]->compile(loaded_[i].tree);
+    tell_foreign_text(static_cast<FileIndex>(i));
+  }
   if (program_->jumps) find_jump_targets();
 }
 

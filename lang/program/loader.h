@@ -70,7 +70,7 @@ class Loader {
   std::optional<FileIndex> first_file_of(const std::vector<std::string>& names, FileIndex from);
   void check_end(FileIndex index);
   // One error for all where the text is written for a control that is not read here.
-  void tell_foreign_control(FileIndex index);
+  void tell_foreign_text(FileIndex index);
   void compile_all();
   void find_jump_targets();
   void warn_of_foreign_parameters();

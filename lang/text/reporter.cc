@@ -59,6 +59,7 @@ std::optional<std::uint32_t> Reporter::find_error_line(
 }
 
 void Reporter::tell_only(Diagnostic diagnostic) {
+  is_closed_ = false;
   diagnostics_.clear();
   errors_kept_ = 0;
   errors_dropped_ = 0;

@@ -1,0 +1,4 @@
+PARTNO/TEST
+; expect error 1:1 E2042
+CUTTER/10
+GOTO/1,2,3
