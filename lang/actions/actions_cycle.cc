@@ -31,9 +31,10 @@ bool is_cycle(const ActiveBlock& block, CodeNumber code) {
 
 // The cycles of lathes drill into the face, G87 to G89 into the side: along X. Source: Fanuc
 // operator's manual B-64304EN-1, 5.2. Those of Haas are all along Z (lathe operator's manual, G81
-// to G89).
+// to G89), and so are those of LinuxCNC.
 bool drills_into_side(const ActiveBlock& block, CodeNumber code) {
-  return block.channel.kind == ChannelKind::lathe && !block.words.rules.is_haas() &&
+  const TextRules& rules = block.words.rules;
+  return block.channel.kind == ChannelKind::lathe && !rules.is_haas() && !rules.is_linuxcnc() &&
          code >= g(87) && code <= g(89);
 }
 

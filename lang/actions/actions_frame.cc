@@ -23,6 +23,25 @@ CodeNumber code_of_offset(int number) {
   return number <= last_of_g59 ? g(53 + number) : g(59, number - last_of_g59);
 }
 
+// The work offset that the table is to carry, by its number; 0: none. Nothing after a failure.
+std::optional<int> carried_page(ActiveBlock& block, CodeNumber code) {
+  if (code == g(254)) return block.modal.frames.work_offset_number;
+  if (code == g(255)) return 0;
+  if (!block.has('P')) {
+    block.fail("E4007", code_word(code), "`G54.2` needs P, the work offset", "no P");
+    return std::nullopt;
+  }
+  const auto page = block.integer('P', 0, work_offset_last);
+  if (!page || *page == 0 || !block.words.rules.is_fanuc()) return page;
+  block
+      .fail("E4016", {'P', -1, {}}, "`G54.2 P` of Fanuc controls takes a table of fixtures",
+            "a different table there")
+      .help.emplace_back(
+          "write the values of that table into a work offset; in a program of the dialect stanok, "
+          "P is the work offset that the table carries");
+  return std::nullopt;
+}
+
 }  // namespace
 
 void take_work_offset(ModalState& modal, const Tables& tables, int number) {
@@ -113,21 +132,8 @@ void carry_work_offset(ActiveBlock& block, CodeNumber code) {
                         Exclusion::tilted_plane, Exclusion::drilling_cycle})) {
     return;
   }
-  if (!block.has('P')) {
-    block.fail("E4007", code_word(code), "`G54.2` needs P, the work offset", "no P");
-    return;
-  }
-  const auto page = block.integer('P', 0, work_offset_last);
+  const auto page = carried_page(block, code);
   if (!page) return;
-  if (*page != 0 && block.words.rules.is_fanuc()) {
-    block
-        .fail("E4016", {'P', -1, {}}, "`G54.2 P` of Fanuc controls takes a table of fixtures",
-              "a different table there")
-        .help.emplace_back(
-            "write the values of that table into a work offset; in a program of the dialect "
-            "stanok, P is the work offset that the table carries");
-    return;
-  }
   FrameSettings& frames = block.modal.frames;
   const int number = *page == 0 ? frames.work_offset_number : *page;
   const auto offset = block.tables.work_offset(number);
@@ -139,9 +145,10 @@ void carry_work_offset(ActiveBlock& block, CodeNumber code) {
   if (*page != 0 && !block.tables.carried_by_table(*offset, *offset)) {
     block
         .fail("E4353", code_word(code),
-              "`G54.2` needs a rotary table to carry the work offset, but the kinematic scheme has "
-              "none",
-              "no such table")
+              "`" + code_text('G', code) +
+                  "` needs a rotary table to carry the work offset, but the kinematic scheme has "
+                  "none",
+              "a dynamic work offset without a table")
         .help.emplace_back("select a scheme of type head_table or table_table with `#kinematics`");
     return;
   }

@@ -252,8 +252,11 @@ void end_program(ActiveBlock& block, CodeNumber code) {
 
 void call_program(ActiveBlock& block, CodeNumber code) {
   if (!block.has('P')) {
-    block.fail("E4007", {'M', code, {}}, "`" + code_text('M', code) + "` needs P, a program number",
-               "no P");
+    block
+        .fail("E4007", {'M', code, {}}, "`" + code_text('M', code) + "` needs P, a program number",
+              "no P")
+        .help.emplace_back(
+            "text in parentheses is a comment; `call (\"NAME.nc\");` calls a file by its name");
     return;
   }
   block.flow.kind = Flow::call_numbered;

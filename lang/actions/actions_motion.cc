@@ -218,7 +218,7 @@ void resolve_modal_feed(ActiveBlock& block, Move& move) {
     block
         .fail("E4020", {},
               modal.feed.known ? "the feed of a motion at feed is 0" : "a motion at feed needs F",
-              "no feed")
+              modal.feed.known ? "F is 0" : "no feed")
         .notes.push_back(modal.origin_of(Group::feed_mode));
   }
 }

@@ -1,5 +1,6 @@
 // Actions of scaling and mirror: G50, G51, G50.1, G51.1. They change what the words of later blocks
-// mean (lang/block/coordinate_map.h), not where the axes stand.
+// mean (lang/block/coordinate_map.h), not where the axes stand. A negative factor mirrors about the
+// centre (Fanuc B-64304EN-2, 7.7, "mirror image").
 #include "lang/actions/actions.h"
 #include "lang/block/other_controls.h"
 
@@ -26,10 +27,8 @@ bool check_factor_words(ActiveBlock& block) {
     return false;
   }
   for (const char letter : {'P', 'I', 'J', 'K'}) {
-    if (!block.has(letter) || block.value(letter) > 0.0) continue;
-    block
-        .fail("E4008", {letter, -1, {}}, "a scale factor must be greater than zero", "out of range")
-        .help.emplace_back("mirror with `G51.1`");
+    if (!block.has(letter) || block.value(letter) != 0.0) continue;
+    block.fail("E4008", {letter, -1, {}}, "a scale factor of 0 leaves nothing", "is 0");
     return false;
   }
   constexpr double factor_max = 100.0;

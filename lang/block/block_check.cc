@@ -95,13 +95,15 @@ std::optional<BlockFault> missing_axes(const BlockCodes& codes, AxisWordCount co
                   "`" + code_text(user->letter, user->number) + "` needs an axis word", "");
 }
 
-bool may_have_plain_corners(const BlockWords& words, const BlockCodes& codes,
-                            const ChannelDescription& channel) {
+LetterSet plain_corners_of(const BlockWords& words, const BlockCodes& codes,
+                           const ChannelDescription& channel) {
+  const Code* const motion = motion_of(codes);
+  const bool may_be_line = motion == nullptr || motion->number == g(1);
+  if (channel.kind != ChannelKind::lathe || !may_be_line) return 0;
+  if (words.rules.is_linuxcnc()) return rounding_letter_of_linuxcnc;
   // Lathes of Haas have them always (lathe operator's manual, "Corner rounding and chamfering").
   const bool has_them = channel.plain_corners || words.rules.is_haas();
-  if (!has_them || !words.rules.is_fanuc() || channel.kind != ChannelKind::lathe) return false;
-  const Code* const motion = motion_of(codes);
-  return motion == nullptr || motion->number == g(1);
+  return has_them && words.rules.is_fanuc() ? plain_corner_letters | square_chamfer_letters : 0;
 }
 
 std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWords* channel_words,
@@ -127,8 +129,7 @@ std::optional<BlockFault> check_block(const BlockWords& words, const ChannelWord
   LetterSet allowed = codes.words | allowed_everywhere(words.rules) | dwell_set | axes;
   if (!codes.has(Group::motion)) allowed |= words_of_all_motions();
   if (words.rules.is_fanuc() && !codes.has(Group::length)) allowed |= letters_of("H");
-  if (channel != nullptr && may_have_plain_corners(words, codes, *channel))
-    allowed |= plain_corner_letters | square_chamfer_letters;
+  if (channel != nullptr) allowed |= plain_corners_of(words, codes, *channel);
   const LetterSet unused = words.letters & ~allowed;
   if (unused != 0) return unused_word(unused, channel);
   const bool any_axis_word =

@@ -36,9 +36,9 @@ inline constexpr LetterSet always_allowed = letters_of("FST");
 // A master channel has no axes and no spindle.
 [[nodiscard]] std::optional<BlockFault> check_master(const BlockWords& words,
                                                      const ChannelDescription& channel);
-// Whether A, C and R may say `,A`, `,C` and `,R` in a block with these codes, whatever is active.
-[[nodiscard]] bool may_have_plain_corners(const BlockWords& words, const BlockCodes& codes,
-                                          const ChannelDescription& channel);
+// The letters that may say `,A`, `,C` or `,R` in a block with these codes, whatever is active.
+[[nodiscard]] LetterSet plain_corners_of(const BlockWords& words, const BlockCodes& codes,
+                                         const ChannelDescription& channel);
 // The code that needs axis words has none.
 [[nodiscard]] std::optional<BlockFault> missing_axes(const BlockCodes& codes, AxisWordCount count);
 

@@ -60,12 +60,6 @@ std::optional<BlockFault> add_row_of_code(BlockCodes& codes, char letter, CodeNu
                          " = \"cycles/name.nc\"" +
                          (letter == 'M' ? ", \"output 4 on\", \"before\" or \"after\"" : "") +
                          " in [channel.codes]");
-    if (words.rules.is_haas() && letter == 'G' && (number == g(254) || number == g(255))) {
-      fault.label = "dynamic work offsets of Haas";
-      fault.help.emplace_back(
-          "in the dialect stanok, `G54.2 P1` lets the rotary table carry G54 and `G54.2 P0` ends "
-          "it; the program of the code can use these");
-    }
     return fault;
   }
   if (row->action == CodeAction::unsupported) {

@@ -44,7 +44,7 @@ CoordinateMap::Numbers CoordinateMap::numbers() const {
 bool CoordinateMap::take(const Numbers& numbers) {
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     const double* const four = numbers.data() + 4 * axis;
-    if (four[3] <= 0.0) return false;
+    if (four[3] == 0.0) return false;
     axes_[axis] = {four[0] != 0.0, four[1], four[2], four[3]};
     compute(axis);
   }

@@ -33,7 +33,8 @@ class CoordinateMap {
   [[nodiscard]] Numbers numbers() const;
   [[nodiscard]] bool take(const Numbers& numbers);
 
-  // `factor` above zero; the programmed coordinate `centre` stays where the mirror has it.
+  // `factor` is not 0, a negative one mirrors, too; the programmed coordinate `centre` stays where
+  // the mirror has it.
   void scale(AxisIndex axis, double centre, double factor);
   void mirror(AxisIndex axis, double line);
   void cancel_scaling();

@@ -118,7 +118,7 @@ std::optional<BlockFault> speed_limit_of_a_lathe(const BlockMeaning& block) {
 std::optional<BlockFault> code_of_lathes(const BlockMeaning& block) {
   if (block.kind != ChannelKind::lathe || block.words.rules.is_fanuc()) return std::nullopt;
   for (const CodeNumber code : {g(98), g(99)}) {
-    if (!block.words.g.has(code)) continue;
+    if (!block.words.g.has(code) || block.words.rules.is_linuxcnc()) continue;
     return two_meanings(
         code_word(code), "`" + code_text('G', code) + "` has no meaning on a lathe channel",
         code == g(98) ? OtherMeaning{'A',

@@ -1,5 +1,7 @@
 #include "lang/run/block_runner.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -32,6 +34,20 @@ void keep_shifts(ModalState& modal, const FrameSettings& of) {
 std::vector<IsoWord> places_of_words(const Source& source, const Span& block_span) {
   auto block = Parser::parse_block(source, block_span);
   return block ? std::move(block->words) : std::vector<IsoWord>{};
+}
+
+// A word that is missing is there in the text where its variable is vacant.
+void note_left_out(BlockFault& fault, LetterSet left_out) {
+  constexpr auto codes_of_missing_words =
+      std::to_array<std::string_view>({"E4007", "E4020", "E4021", "E4023"});
+  if (std::ranges::find(codes_of_missing_words, fault.code) == codes_of_missing_words.end()) return;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if ((left_out & letter_bit(letter)) == 0) continue;
+    fault.notes.push_back({std::string("the word ") + letter +
+                               " is left out because its variable is vacant, as the variable of an "
+                               "argument is when the call of the macro does not have it",
+                           {}});
+  }
 }
 
 }  // namespace
@@ -217,6 +233,7 @@ void BlockRunner::leave_out(const ComputedWord& word) {
   switch (word.kind) {
     case ComputedWord::Kind::letter:
       words.letters &= ~letter_bit(word.letter);
+      words.left_out |= letter_bit(word.letter);
       break;
     case ComputedWord::Kind::named:
       words.named.erase(words.named.begin() + word.index);
@@ -403,6 +420,7 @@ void BlockRunner::fail_text(std::string_view text, std::uint32_t line, const Val
 }
 
 void BlockRunner::fail(BlockFault fault) {
+  note_left_out(fault, state_.words.left_out);
   const Source& source = vm_.file().source;
   const std::vector<IsoWord> found =
       place_.words == nullptr ? places_of_words(source, place_.span) : std::vector<IsoWord>{};

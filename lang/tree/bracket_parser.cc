@@ -147,11 +147,31 @@ MaybeExpression BracketParser::parse_parameter_reference() {
 MaybeExpression BracketParser::parse_bracket() {
   const std::size_t start = scanner_.offset();
   const std::uint32_t line = scanner_.line();
-  scanner_.advance(1);
-  auto inner = parse_bracket_binary(0);
+  auto inner = parse_inside();
   if (!inner || !close_bracket()) return std::nullopt;
   inner->span = scanner_.span_from(start, line);
   return inner;
+}
+
+// An expression in brackets. Comments between its words say nothing; behind the value of a
+// parameter they may be a message: `#3000=1 (NO TOOL)`.
+MaybeExpression BracketParser::parse_inside() {
+  scanner_.advance(1);
+  ++open_;
+  auto inner = parse_bracket_binary(0);
+  if (inner && !skip_comments()) inner.reset();
+  --open_;
+  return inner;
+}
+
+// False, with a report: one is at fault.
+bool BracketParser::skip_comments() {
+  scanner_.skip_blanks(LineEnds::significant);
+  while (open_ > 0 && scanner_.character() == '(') {
+    if (!scanner_.read_parenthesis_comment()) return false;
+    scanner_.skip_blanks(LineEnds::significant);
+  }
+  return true;
 }
 
 bool BracketParser::close_bracket() {
@@ -165,11 +185,11 @@ bool BracketParser::close_bracket() {
 }
 
 MaybeExpression BracketParser::parse_bracket_binary(int level) {
-  scanner_.skip_blanks(LineEnds::significant);
+  if (!skip_comments()) return std::nullopt;
   if (level == bracket_levels) return parse_value();
   auto left = parse_bracket_binary(level + 1);
   for (bool compared = false; left; compared = level == comparison_level) {
-    scanner_.skip_blanks(LineEnds::significant);
+    if (!skip_comments()) return std::nullopt;
     const Token token = scanner_.peek(LineEnds::significant);
     const BracketOperator* const found =
         find_leading_operator(operator_name(token), source_.rules());
@@ -269,8 +289,7 @@ MaybeExpression BracketParser::parse_bracket_function(std::string_view name) {
 // POW[a,b], ATAN[a,b], and ATAN[a] with or without /[b].
 MaybeExpression BracketParser::parse_function_of_two(const BracketFunction& row,
                                                      const Span& name_span) {
-  scanner_.advance(1);
-  auto first = parse_bracket_binary(0);
+  auto first = parse_inside();
   if (!first) return std::nullopt;
   Expression call = call_of(row.function, joined(name_span, first->span), std::move(*first));
   scanner_.skip_blanks(LineEnds::significant);
@@ -280,8 +299,7 @@ MaybeExpression BracketParser::parse_function_of_two(const BracketFunction& row,
     return std::nullopt;
   }
   if (has_two) {
-    scanner_.advance(1);
-    auto second = parse_bracket_binary(0);
+    auto second = parse_inside();
     if (!second) return std::nullopt;
     call.span = joined(call.span, second->span);
     call.children.push_back(std::move(*second));

@@ -40,6 +40,8 @@ class BracketParser {
   MaybeExpression parse_bracket_function(std::string_view name);
   MaybeExpression parse_arc_tangent(Expression call);
   MaybeExpression parse_function_of_two(const BracketFunction& row, const Span& name_span);
+  MaybeExpression parse_inside();
+  [[nodiscard]] bool skip_comments();
   [[nodiscard]] bool close_bracket();
   bool refuse_chain(const Token& comparison);
   [[nodiscard]] Expression rounded_to_increment(Expression argument, const Span& span) const;
@@ -48,6 +50,7 @@ class BracketParser {
   const Source& source_;
   Reporter& reporter_;
   Scanner& scanner_;
+  int open_ = 0;   // brackets in which this is
   char word_ = 0;  // address of the word whose value is read; 0: none
 };
 

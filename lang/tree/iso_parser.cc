@@ -431,6 +431,13 @@ bool IsoParser::parse_parameter_setting(IsoBlock& block) {
     cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "`=` after the parameter");
     return false;
   }
+  if (scanner_.character(1) == '=') {
+    reporter_
+        .error("E2001", scanner_.here(2), "`==` compares, but a parameter is set with `=`",
+               "expected `=`")
+        .help.emplace_back("conditions are in brackets: `IF [#1 EQ 2] GOTO 10`");
+    return false;
+  }
   scanner_.advance(1);
   scanner_.skip_blanks(LineEnds::significant);
   auto value = begins_variable() ? expressions_.parse_expression(LineEnds::significant)

@@ -177,7 +177,10 @@ MaybeStatement MacroLineParser::parse_loop(MaybeExpression condition, const Span
   const auto number = take_loop_number("do");
   if (!number) return std::nullopt;
   While loop{std::move(*condition), {}, std::string(macro_loop_label) + *number};
-  if (!finish_macro_line() || !parse_loop_body(loop, opened)) return std::nullopt;
+  // On Haas the first statement of the loop may stand on its line.
+  const bool may_go_on = cursor_.source().rules().is_haas();
+  if (!may_go_on && !finish_macro_line()) return std::nullopt;
+  if (!parse_loop_body(loop, opened)) return std::nullopt;
   return statement_of(std::move(loop));
 }
 
@@ -338,7 +341,8 @@ bool MacroLineParser::finish_macro_line() {
   if (scanner_.character() == ';' && !cursor_.skip_remark()) return false;
   scanner_.skip_blanks(LineEnds::significant);
   if (cursor_.at_statement_end()) return true;
-  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "the end of the line");
+  cursor_.report_unexpected(scanner_.peek(LineEnds::significant), "the end of the line")
+      .help.emplace_back("put what follows on a line of its own");
   return false;
 }
 

@@ -311,7 +311,9 @@ MaybeStatement Parser::parse_kind(int skip_level) {
   if (foreign) {
     report_illegal_character(cursor_);
   } else {
-    cursor_.report_unexpected(token, "a statement");
+    Diagnostic& unexpected = cursor_.report_unexpected(token, "a statement");
+    if (c == ':' && upper_case(next) == 'O')
+      unexpected.help.emplace_back("a program number is `O1001` or `:1001`, not both");
   }
   return std::nullopt;
 }

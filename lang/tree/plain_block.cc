@@ -104,7 +104,10 @@ bool skip_block_number(const char*& at, const char* end) {
     if (behind == end || *behind != '[') return false;
   }
   const auto value = values.read(at);
-  if (value && std::isnan(*value) && values.are_known()) return true;  // a vacant parameter
+  if (value && std::isnan(*value) && values.are_known()) {
+    words.left_out |= letter_bit(letter);
+    return true;
+  }
   return value && add_word(words, letter, {*value, words.rules.is_fanuc()});
 }
 

@@ -1,5 +1,6 @@
 #include "lang/tree/statement_parser.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -16,6 +17,20 @@ std::optional<Operation> combined_operation(const Token& token) {
   if (token.is("*=")) return Operation::multiply;
   if (token.is("/=")) return Operation::divide;
   return std::nullopt;
+}
+
+// What somebody may mean by a name that begins a line and is no variable or function. Empty: not
+// known.
+std::string help_for_word(std::string_view name) {
+  std::string digits(name);
+  std::replace_if(
+      digits.begin() + 1, digits.end(), [](char c) { return upper_case(c) == 'O'; }, '0');
+  const bool is_word = digits != name && std::all_of(digits.begin() + 1, digits.end(), is_digit);
+  if (is_word) return "did you mean `" + digits + "`? This has the letter O";
+  if (folded(name) == "setvn")
+    return "variables have no names of `SETVN` here: write their numbers, or `#<name>` in the "
+           "dialects stanok and linuxcnc";
+  return {};
 }
 
 }  // namespace
@@ -255,7 +270,13 @@ MaybeStatement StatementParser::parse_simple() {
     if (!value) return std::nullopt;
     assignment.value = std::move(*value);
   } else {
-    cursor_.report_unexpected(token, "`=` or `(` after `" + assignment.target.text + "`");
+    const std::string wanted = "`=` or `(` after `" + assignment.target.text + "`";
+    const bool is_alone = token.span.line != name.span.line;
+    Diagnostic& unexpected =
+        is_alone ? reporter_.error("E2001", name.span, "expected " + wanted, "the line ends here")
+                 : cursor_.report_unexpected(token, wanted);
+    const std::string help = help_for_word(name.text);
+    if (!help.empty()) unexpected.help.push_back(help);
     return std::nullopt;
   }
   if (!cursor_.expect(closing_, "the assignment")) return std::nullopt;

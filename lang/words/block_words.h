@@ -70,9 +70,10 @@ struct NamedWord {
 };
 
 struct BlockWords {
-  TextRules rules;        // of the text they stand in
-  LetterSet letters = 0;  // all words of one letter but G, M, N and O
-  LetterSet whole = 0;    // those of them written as a number without decimal point
+  TextRules rules;         // of the text they stand in
+  LetterSet letters = 0;   // all words of one letter but G, M, N and O
+  LetterSet whole = 0;     // those of them written as a number without decimal point
+  LetterSet left_out = 0;  // words that are not there since their variable is vacant
   LetterArray<double> values{};
   CodeList g;
   CodeList m;
@@ -83,6 +84,7 @@ struct BlockWords {
   void clear() {
     letters = 0;
     whole = 0;
+    left_out = 0;
     g.count = 0;
     m.count = 0;
     spindle_named = false;

@@ -81,12 +81,6 @@ constexpr auto profile_cycles = std::to_array<Code>(
      profile_cycle(g_code(72, 2), "QDIR", CodeAction::rough_profile,
                    "facing of the pockets of a profile")});
 
-const Code* code_of_linuxcnc(CodeNumber number, const ChannelKind* kind) {
-  const auto* const found = std::ranges::find(profile_cycles, number, &Code::number);
-  const bool is_lathe = kind != nullptr && *kind == ChannelKind::lathe;
-  return is_lathe && found != profile_cycles.end() ? found : nullptr;
-}
-
 constexpr std::size_t offsets_of_haas = 20;
 constexpr auto offset_rows = [] {
   std::array<Code, offsets_of_haas> rows;
@@ -99,10 +93,20 @@ constexpr auto offset_rows = [] {
   return rows;
 }();
 
-// Cycles that lathes of Haas have as mills do, along Z. Source: Haas lathe operator's manual.
+// Dynamic work offsets: the table carries the work offset that is active. Source: Haas mill
+// operator's manual, G254 and G255.
+constexpr Code carried_offset =
+    dialect_row(g_code(254), Group::work_offset, EffectOrder::work_offset, "",
+                CodeAction::carry_work_offset, "work offset carried by the rotary table");
+constexpr Code carried_offset_off =
+    dialect_row(g_code(255), Group::work_offset, EffectOrder::work_offset, "",
+                CodeAction::carry_work_offset, "end of G254");
+
+// Cycles that lathes have as mills do, along Z. Sources: Haas lathe operator's manual; LinuxCNC,
+// G-Codes.
 constexpr auto cycles_along_z = std::to_array<CodeNumber>(
     {g_code(81), g_code(82), g_code(85), g_code(86), g_code(87), g_code(88), g_code(89)});
-const Code* cycle_of_haas_lathe(CodeNumber number) {
+const Code* cycle_along_z(CodeNumber number) {
   static const auto rows = [] {
     std::array<Code, cycles_along_z.size()> made;
     for (std::size_t i = 0; i < made.size(); ++i) {
@@ -113,6 +117,28 @@ const Code* cycle_of_haas_lathe(CodeNumber number) {
   }();
   const auto* const found = std::ranges::find(rows, number, &Code::number);
   return found == rows.end() ? nullptr : found;
+}
+
+// G43.1 of LinuxCNC without axis words leaves the offset as it is.
+const Code* offset_by_words() {
+  static const Code made = [] {
+    Code code = *find_code('G', g_code(43, 1));
+    code.axes = AxisWords::optional;
+    return code;
+  }();
+  return &made;
+}
+
+// Lathes of LinuxCNC have no boring from behind and none into the side.
+constexpr bool bores_on_linuxcnc(CodeNumber number) {
+  return number != g_code(87) && number != g_code(88);
+}
+const Code* code_of_linuxcnc(CodeNumber number, const ChannelKind* kind) {
+  if (number == g_code(43, 1)) return offset_by_words();
+  if (kind == nullptr || *kind != ChannelKind::lathe) return nullptr;
+  const auto* const found = std::ranges::find(profile_cycles, number, &Code::number);
+  if (found != profile_cycles.end()) return found;
+  return bores_on_linuxcnc(number) ? cycle_along_z(number) : nullptr;
 }
 
 // G77 of Haas mills bores from behind.
@@ -186,7 +212,7 @@ const Code* called_otherwise(char letter, CodeNumber number, const TextRules& ru
 const Code* code_of_haas(CodeNumber number, const ChannelKind* kind) {
   if (is_offset_of_haas(number)) return &*std::ranges::find(offset_rows, number, &Code::number);
   if (kind == nullptr || *kind == ChannelKind::master) return nullptr;
-  if (*kind == ChannelKind::lathe) return cycle_of_haas_lathe(number);
+  if (*kind == ChannelKind::lathe) return cycle_along_z(number);
   switch (number) {
     case g_code(70):
       return &bolt_circle;
@@ -196,6 +222,12 @@ const Code* code_of_haas(CodeNumber number, const ChannelKind* kind) {
       return &bolt_line;
     case g_code(77):
       return back_bore();
+    case g_code(234):
+      return find_code('G', g_code(43, 4));
+    case g_code(254):
+      return &carried_offset;
+    case g_code(255):
+      return &carried_offset_off;
     default:
       return nullptr;
   }

@@ -1,3 +1,3 @@
-G51 J-1
+G51 J0
 ; expect error 1:5 E4008
 M30

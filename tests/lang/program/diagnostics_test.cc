@@ -195,9 +195,48 @@ TEST_F(DiagnosticsTest, NameWhatTheMachineFileCanMakeOfAnUnknownCode) {
   EXPECT_THAT(errors[1].help, ElementsAre(Not(HasSubstr("output"))));
 }
 
+TEST_F(DiagnosticsTest, SayWhatASlipMayHaveMeant) {
+  const auto help_of = [&](const std::string& text) {
+    error_code(text + "\nM30\n");
+    return error.help.empty() ? std::string() : error.help.front();
+  };
+  EXPECT_THAT(help_of("GOO Z1"), HasSubstr("`G00`"));
+  EXPECT_EQ(help_of("GOT Z1"), "");
+  EXPECT_THAT(help_of("#1==2"), HasSubstr("[#1 EQ 2]"));
+  EXPECT_THAT(help_of("M98 (SUB.NC)"), HasSubstr("is a comment"));
+  EXPECT_THAT(help_of("(dialect fanuc)\n:O1001"), HasSubstr("`:1001`"));
+  EXPECT_THAT(help_of("(dialect fanuc)\nSETVN 101[WIDTH]"), HasSubstr("numbers"));
+  EXPECT_THAT(help_of("(dialect fanuc)\nWHILE [#1 EQ 0] DO1 #1=1\nEND1"),
+              HasSubstr("line of its own"));
+}
+
+TEST_F(DiagnosticsTest, SayWhichWordAMacroWasCalledWithout) {
+  for (const char* const block : {"G1 X1 F#9", "G1 X1 F[#9] (compiled)"}) {
+    const std::string macro = "O9001\n" + std::string(block) + "\nM99\n";
+    ASSERT_EQ(error_code("(dialect fanuc)\nG65 P9001\nM30\n" + macro), "E4020");
+    EXPECT_THAT(error.notes, ::testing::Contains(::testing::Field(
+                                 &Note::text, HasSubstr("the word F is left out"))));
+  }
+  ASSERT_EQ(error_code("(dialect fanuc)\nG1 X1\nM30\n"), "E4020");
+  for (const Note& note : error.notes) EXPECT_THAT(note.text, Not(HasSubstr("left out")));
+}
+
+TEST_F(DiagnosticsTest, NameWhatATextIsFor) {
+  const auto made_for = [&](const std::string& text) {
+    return error_code(text + "\nM30\n") == "E2042" ? error.message : std::string();
+  };
+  EXPECT_THAT(made_for("G1 X=AC(10) F100"), HasSubstr("Siemens"));
+  EXPECT_THAT(made_for("DIAM90"), HasSubstr("Siemens"));
+  EXPECT_THAT(made_for("LABEL1: G1 X10"), HasSubstr("Siemens"));
+  EXPECT_THAT(made_for("switch (1) {\ndefault: { G0 X }\n}"), Not(HasSubstr("Siemens")));
+  EXPECT_THAT(made_for("FEDRAT/100"), HasSubstr("CL data"));
+  EXPECT_THAT(made_for("$IF V.G.WZ_AKT.P1 > 3"), HasSubstr("ISG"));
+  EXPECT_THAT(made_for("MSG \"ready\""), HasSubstr("Eding"));
+  EXPECT_THAT(made_for("M109 S210"), HasSubstr("3-D printer"));
+  EXPECT_EQ(made_for("M109 P500"), "");
+}
+
 TEST_F(DiagnosticsTest, SayWhatDoesWhatAnotherControlHas) {
-  ASSERT_EQ(error_code("(dialect haas)\nG254\nM30\n"), "E4004");
-  EXPECT_THAT(error.help, ::testing::Contains(HasSubstr("G54.2 P1")));
   ASSERT_EQ(error_code("(dialect fanuc)\nM98 <SUB>\nM30\n"), "E2001");
   EXPECT_THAT(error.help, ElementsAre(HasSubstr("by their number")));
   ASSERT_EQ(error_code("(dialect fanuc)\nG0 <SUB>\nM30\n"), "E2001");
