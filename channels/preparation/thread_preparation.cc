@@ -184,6 +184,7 @@ std::optional<Diagnostic> ThreadPreparation::add(const lang::SynchronousMove& mo
   block.tag = line.tag;
   block.end = line.end;
   block.lead_mm = move.lead_mm_per_rev;
+  block.runs_out = move.runs_out;
   block.keeps_tolerance =
       move.line.path.mode == lang::PathMode::continuous && move.line.path.tolerance_mm >= 0.0;
   block.tolerance_mm = line.tolerance_mm;

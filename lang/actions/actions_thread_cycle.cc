@@ -35,6 +35,7 @@ struct Thread {
   std::vector<double> passes;  // depth of each
   int spindle = 0;
   double start_angle_deg = 0.0;
+  bool ends_beside_its_end = false;  // not where it began
 };
 
 double tangent_of_deg(double angle) {
@@ -104,13 +105,12 @@ void cut_pass(CycleMoves& moves, const Thread& thread, TurningPoint start, doubl
     moves.thread(at(z_end - along * exit, depth), thread.lead, thread.spindle,
                  thread.start_angle_deg);
   if (exit > 0.0) {
-    moves.thread(at(z_end, 0.0), thread.lead, thread.spindle, thread.start_angle_deg);
+    moves.run_out(at(z_end, 0.0), thread.lead, thread.spindle, thread.start_angle_deg);
     moves.rapid({start.x, z_end});
   } else {
     moves.thread_and_out(at(z_end, depth), start.x, thread.lead, thread.spindle,
                          thread.start_angle_deg);
   }
-  moves.rapid(start);
 }
 
 void cut_passes(ActiveBlock& block, CycleMoves& moves, const Thread& thread) {
@@ -122,7 +122,12 @@ void cut_passes(ActiveBlock& block, CycleMoves& moves, const Thread& thread) {
         .help.push_back("use a longer thread, shorter tapers or a smaller infeed angle");
     return;
   }
-  for (const double depth : thread.passes) cut_pass(moves, thread, start, depth);
+  const TurningPoint end{start.x, thread.peak_end.z};
+  for (std::size_t n = 0; n < thread.passes.size(); ++n) {
+    cut_pass(moves, thread, start, thread.passes[n]);
+    const bool is_last = n + 1 == thread.passes.size();
+    moves.rapid(is_last && thread.ends_beside_its_end ? end : start);
+  }
 }
 
 void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
@@ -149,6 +154,8 @@ void cut_with_full_depth(ActiveBlock& block, CycleMoves& moves, Thread thread) {
   thread.inward = block.value('I') < 0.0 ? -1.0 : 1.0;
   thread.depth = block.length('K');
   thread.infeed_tangent = tangent_of_deg(angle);
+  // LinuxCNC, G76: the tool ends at the end of the drive line.
+  thread.ends_beside_its_end = block.words.rules.is_linuxcnc();
   thread.entry = (*ends & 1) != 0 ? taper : 0.0;
   thread.exit = (*ends & 2) != 0 ? taper : 0.0;
   add_passes(block, thread, block.length('J'), 1.0 / degression, 0.0, *spring);

@@ -71,7 +71,8 @@ void CycleMoves::arc(const TurningArc& arc) {
   block_.queue.emit(move);
 }
 
-void CycleMoves::thread(TurningPoint end, double lead_mm, int spindle, double start_angle_deg) {
+void CycleMoves::follow_spindle(TurningPoint end, double lead_mm, int spindle,
+                                double start_angle_deg, ThreadPart part) {
   const TurningPoint start = position();
   const double x = std::abs(end.x - start.x);
   const double z = std::abs(end.z - start.z);
@@ -81,6 +82,7 @@ void CycleMoves::thread(TurningPoint end, double lead_mm, int spindle, double st
   move.line.path = block_.modal.path;
   move.spindle = spindle;
   move.start_angle_deg = start_angle_deg;
+  move.runs_out = part == ThreadPart::run_out;
   move.lead_mm_per_rev = lead_mm * std::hypot(x, z) / std::max(x, z);
   advance_position(block_, move.line);
   block_.queue.emit(move);
@@ -98,8 +100,10 @@ void CycleMoves::thread_and_out(TurningPoint end, double clear_x, double lead_mm
     const double rise = std::min(chamfer, std::abs(clear_x - x));
     thread({x, end.z - std::copysign(chamfer, way)}, lead_mm, spindle, start_angle_deg);
     end = {x + std::copysign(rise, clear_x - x), end.z - std::copysign(chamfer - rise, way)};
+    run_out(end, lead_mm, spindle, start_angle_deg);
+  } else {
+    thread(end, lead_mm, spindle, start_angle_deg);
   }
-  thread(end, lead_mm, spindle, start_angle_deg);
   rapid({clear_x, end.z});
 }
 

@@ -37,13 +37,22 @@ class CycleMoves {
   // In the plane ZX.
   void arc(const TurningArc& arc);
   // With the lead along the axis that travels farther, from the angle of the block's first pass.
-  void thread(TurningPoint end, double lead_mm, int spindle, double start_angle_deg = 0.0);
+  void thread(TurningPoint end, double lead_mm, int spindle, double start_angle_deg = 0.0) {
+    follow_spindle(end, lead_mm, spindle, start_angle_deg, ThreadPart::cut);
+  }
+  // Out of a thread, from full depth to its end.
+  void run_out(TurningPoint end, double lead_mm, int spindle, double start_angle_deg) {
+    follow_spindle(end, lead_mm, spindle, start_angle_deg, ThreadPart::run_out);
+  }
   // The same, and out of the thread to `clear_x`: at rapid, behind M23 of Haas over a chamfer of
   // one lead at 45 degrees.
   void thread_and_out(TurningPoint end, double clear_x, double lead_mm, int spindle,
                       double start_angle_deg = 0.0);
 
  private:
+  enum class ThreadPart : std::uint8_t { cut, run_out };
+  void follow_spindle(TurningPoint end, double lead_mm, int spindle, double start_angle_deg,
+                      ThreadPart part);
   CycleMoves(ActiveBlock& block, AxisIndex x, AxisIndex z) : block_(block), x_(x), z_(z) {}
 
   [[nodiscard]] Move move_to(MoveKind kind, TurningPoint end) const;

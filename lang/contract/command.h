@@ -141,6 +141,7 @@ struct SynchronousMove {
   double start_angle_deg = 0.0;      // Q
   double return_speed_factor = 1.0;  // G33.1 I
   double dwell_s = 0.0;              // rigid_tap: at the end of the way in
+  bool runs_out = false;             // thread: out of it; only its end has to be reached
 };
 
 // G38.2 to G38.5: a line that ends when the probe changes. RequestKind::probe_result follows it.

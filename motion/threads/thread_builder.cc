@@ -114,6 +114,7 @@ ThreadBuilder::Straight ThreadBuilder::straight(const ThreadBlock& block,
     straight.per_turn[k] = (block.end[k] - start[k]) / straight.whole.length;
   straight.tolerance = block.tolerance_mm;
   straight.keeps_tolerance = block.keeps_tolerance;
+  straight.runs_out = block.runs_out;
   straight.from_point = start;
   return straight;
 }
@@ -149,6 +150,36 @@ std::optional<ThreadFault> ThreadBuilder::turn_faster(double speed) {
 }
 
 std::optional<ThreadFault> ThreadBuilder::add(const ThreadBlock& block) {
+  auto fault = add_where_it_is(block);
+  const bool is_corner = fault && fault->kind == ThreadFault::Kind::corner_too_sharp;
+  if (!is_corner || !block.runs_out || !add_earlier(block)) return fault;
+  return std::nullopt;
+}
+
+// From within the block before: the turns that this one loses are those of the way out, so that the
+// axis of the lead goes on by the law. False: nothing has changed.
+bool ThreadBuilder::add_earlier(ThreadBlock block) {
+  constexpr double first = 0.1;  // of the turns of the way out
+  constexpr double growth = 1.2;
+  const Straight before = blocks_.back();
+  const Point end = end_;
+  const double turns = straight(block, end).whole.length;
+  const double turns_free = part_max * (before.whole.length - before.from);
+  for (double taken = first * turns; taken < turns_free; taken *= growth) {
+    Straight& shorter = blocks_.back();
+    shorter.whole.length = before.whole.length - taken;
+    shorter.whole.geometry.end =
+        on(before.whole.geometry.start, before.per_turn, shorter.whole.length);
+    end_ = shorter.whole.geometry.end;
+    block.lead_mm *= straight(block, end_).whole.length / (turns + taken);
+    if (!add_where_it_is(block)) return true;
+    blocks_.back() = before;
+  }
+  end_ = end;
+  return false;
+}
+
+std::optional<ThreadFault> ThreadBuilder::add_where_it_is(const ThreadBlock& block) {
   Straight next = straight(block, end_);
   if (auto fault = fault_of(next, block.lead_mm)) return fault;
   if (blocks_.size() >= blocks_max) return ThreadFault{.kind = ThreadFault::Kind::too_many_blocks};
@@ -309,7 +340,7 @@ std::optional<ThreadFault> ThreadBuilder::join(Straight& one, Straight& next, do
   const double turns_max =
       std::min(part_max * (one.whole.length - one.from), part * next.whole.length);
   const double tolerance = std::max(exact, std::min(one.tolerance, next.tolerance));
-  const bool may_grow = !one.keeps_tolerance && !next.keeps_tolerance;
+  const bool may_grow = next.runs_out || (!one.keeps_tolerance && !next.keeps_tolerance);
   Corner found = corner(one, next, std::min(turns_max, tolerance / (deviation * change)));
   const auto has_reserve = [this](const Corner& of) {
     return segment_limits(of.bounds, unlimited).v >= reserve_wanted * speed_ &&

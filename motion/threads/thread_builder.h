@@ -27,6 +27,9 @@ struct ThreadBlock {
   // The corner at its start and end leaves the blocks by no more than the tolerance; else by more
   // where the axes need it at this speed.
   bool keeps_tolerance = false;
+  // Out of the thread: there is no accuracy to keep on the way to its end. Where the axes cannot
+  // take its corner at this speed, it begins earlier and is as much flatter.
+  bool runs_out = false;
   const kinematics::Transform* transform = nullptr;  // outlives the queue
 };
 
@@ -87,6 +90,7 @@ class ThreadBuilder {
     Point per_turn{};        // q'
     double tolerance = 0.0;  // mm
     bool keeps_tolerance = false;
+    bool runs_out = false;
     double from = 0.0;  // turns that the corner at its start has taken
     Point from_point{};
     std::optional<Corner> corner;  // at its end
@@ -96,6 +100,8 @@ class ThreadBuilder {
   [[nodiscard]] std::optional<ThreadFault> fault_of(const Straight& block, double lead_mm) const;
   [[nodiscard]] Corner corner(const Straight& one, const Straight& next, double turns) const;
   [[nodiscard]] std::optional<ThreadFault> join(Straight& one, Straight& next, double part) const;
+  [[nodiscard]] std::optional<ThreadFault> add_where_it_is(const ThreadBlock& block);
+  [[nodiscard]] bool add_earlier(ThreadBlock block);
   [[nodiscard]] std::optional<ThreadFault> append(const Straight& next);
   [[nodiscard]] std::optional<ThreadFault> connect(Straight next);
   [[nodiscard]] std::optional<ThreadFault> round_corners_anew();

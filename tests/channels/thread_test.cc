@@ -387,6 +387,42 @@ TEST(Thread, RunsOutOverAChamferUnderG96) {
   EXPECT_LE(watched.limits, 1.0 + 1e-12);
 }
 
+// The way out over a taper of one lead: where the axes cannot take its corner at the speed, it
+// begins earlier, and the tool is nowhere deeper than programmed, nor beyond the end of the thread.
+TEST(Thread, TheWayOutBeginsAsEarlyAsTheAxesNeed) {
+  constexpr double end = -25.0;
+  constexpr double taper = 1.5;
+  constexpr double depth = 0.9;
+  for (const int speed : {300, 1000, 2000, 3000}) {
+    SCOPED_TRACE(speed);
+    MachineBench bench(testing::turning_machine());
+    bench.program("p.nc", "G8 G18 G95 G64 P0.01\nS" + std::to_string(speed) +
+                              " M3\nG0 X15 Z5\n"
+                              "G76 P1.5 Z-25 I-1 J0.9 K0.9 R1 Q0 H0 E1.5 L2\nM30\n");
+    bench.run(1, "p.nc");
+    Watched watched;
+    double deepest = 20.0;
+    double last_at_depth = 5.0;
+    bool has_begun = false;
+    bench.run_to_end([&](const CycleOutput& output) {
+      watch_limits(output.channels[0], watched);
+      const double x = output.channels[0].axes[lathe_X].position;
+      const double z = output.channels[0].axes[lathe_Z].position;
+      has_begun = has_begun || x > 14.0;
+      if (!has_begun) return;
+      const double programmed = 14.0 - depth + std::max(0.0, (end + taper - z) / taper * depth);
+      EXPECT_GE(x, programmed - 1e-9) << z;
+      EXPECT_GE(z, end - 1e-9);
+      deepest = std::min(deepest, x);
+      if (x < 14.0 - depth + 1e-9) last_at_depth = std::min(last_at_depth, z);
+    });
+    EXPECT_THAT(bench.alarm_codes(), ::testing::IsEmpty());
+    EXPECT_NEAR(deepest, 14.0 - depth, 1e-9);
+    EXPECT_LE(watched.limits, 1.0 + 1e-12);
+    EXPECT_LE(last_at_depth, -10.0);
+  }
+}
+
 TEST(Thread, NeedsAnEncoder) {
   MachineConfig machine = testing::turning_machine();
   machine.spindles[0].encoder_pulses = 0;

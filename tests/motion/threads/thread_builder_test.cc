@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "tests/motion/threads/thread_bench.h"
 
@@ -48,6 +49,65 @@ TEST(ThreadBuilder, RefusesACornerThatItsToleranceMakesTooSharp) {
   const double by_acceleration = std::sqrt(0.85 * 2500.0 * h / 2.0);
   const double by_jerk = std::cbrt(0.85 * 50000.0 * h * h / 2.0);
   EXPECT_NEAR(fault->speed_max, std::min(by_acceleration, by_jerk) / 1.25, 0.05);
+}
+
+// Threads of random leads, lengths and ways out, at any speed that their leads allow: the end is
+// the programmed one, Z goes on by the law on every segment, and X leaves the depth no later.
+TEST(ThreadBuilder, LetsAWayOutBeginEarlierThanASharpCornerAllows) {
+  const MotionConfig config = lathe_axes();
+  std::mt19937 random(57);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<>(low, high)(random);
+  };
+  int earlier = 0;
+  for (int n = 0; n < 300; ++n) {
+    SCOPED_TRACE(n);
+    const double lead = between(0.5, 4.0);
+    const double speed = between(2.0, 0.6 * 247.5 / lead);
+    const double length = between(15.0, 40.0);
+    const double out = between(0.1, 1.5) * lead;
+    const double rise = between(0.1, 1.0) * out;
+    ThreadBuilder builder(config);
+    builder.begin(at(10.0, 0.0), config.geometry, thread_from(0.0), speed);
+    ThreadBlock cut = block_to(at(10.0, -length), lead);
+    cut.keeps_tolerance = true;
+    ASSERT_FALSE(builder.add(cut));
+    ThreadBlock way_out =
+        block_to(at(10.0 + rise, -length - out), lead * std::hypot(rise, out) / out);
+    const bool is_sharp = ThreadBuilder(builder).add(way_out).has_value();
+    way_out.runs_out = true;
+    const auto fault = builder.add(way_out);
+    if (fault) continue;  // too fast for the whole of the thread
+    earlier += is_sharp ? 1 : 0;
+    const ThreadChain chain = builder.finish();
+    double turns = 0.0;
+    for (const Segment& segment : chain.segments) {
+      EXPECT_NEAR(segment.geometry.start[Z], -lead * turns, 1e-9);
+      turns += segment.length;
+    }
+    EXPECT_NEAR(chain.segments.back().geometry.end[X], 10.0 + rise, 1e-9);
+    EXPECT_NEAR(chain.segments.back().geometry.end[Z], -length - out, 1e-9);
+    EXPECT_EQ(chain.segments.front().geometry.end[X], 10.0);
+    EXPECT_GE(chain.segments.front().geometry.end[Z], -length);
+    EXPECT_GE(chain.coupling.speed_max, speed);
+  }
+  EXPECT_GE(earlier, 100);
+}
+
+TEST(ThreadBuilder, LeavesTheChainAsItWasWhereNoEarlierWayOutHelps) {
+  const MotionConfig config = lathe_axes();
+  ThreadBuilder builder(config);
+  builder.begin(at(10.0, 0.0), config.geometry, thread_from(0.0), 60.0);
+  ASSERT_FALSE(builder.add(block_to(at(10.0, -0.2), 2.0)));
+  ThreadBlock way_out = block_to(at(12.0, -2.2), 2.0 * std::sqrt(2.0));
+  way_out.runs_out = true;
+  const auto fault = builder.add(way_out);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->kind, ThreadFault::Kind::corner_too_sharp);
+  const ThreadChain chain = builder.finish();
+  ASSERT_EQ(chain.segments.size(), 1U);
+  EXPECT_EQ(chain.segments[0].geometry.end[Z], -0.2);
+  EXPECT_EQ(chain.segments[0].length, 0.1);
 }
 
 // One whose tolerance is programmed does not grow. Of the jerk J of the axis it takes
