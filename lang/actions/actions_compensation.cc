@@ -22,6 +22,13 @@ std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
     return std::nullopt;
   }
   tool.radius_mm = block.length('D') / 2.0;
+  if (block.has('L') && block.modal.plane() != Plane::zx && block.words.rules.is_linuxcnc()) {
+    block
+        .fail("E4036", {'L', -1, {}}, "L, the orientation of a lathe tool, needs plane G18",
+              "another plane")
+        .notes.push_back(block.modal.origin_of(Group::plane));
+    return std::nullopt;
+  }
   if (block.has('L')) {
     const auto orientation = block.integer('L', 0, 9);
     if (!orientation) return std::nullopt;

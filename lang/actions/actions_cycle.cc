@@ -152,8 +152,14 @@ void take_shift(ActiveBlock& block, CodeNumber kind) {
 void take_levels(ActiveBlock& block, AxisIndex axis) {
   DrillingCycle& cycle = block.modal.cycles.drilling;
   const CoordinateMap& map = block.modal.map;
+  // Scaling leaves the levels of Haas as they are: Haas mill operator's manual, G51.
+  const bool is_scaled = !block.words.rules.is_haas();
   const auto level = [&](double word, double from) {
-    return block.modal.incremental() ? from + map.gain(axis) * word : map.to_work(axis, word);
+    if (!block.modal.incremental())
+      return is_scaled ? map.to_work(axis, word) : map.mirrored(axis, word);
+    const double gain =
+        is_scaled ? map.gain(axis) : map.mirrored(axis, 1.0) - map.mirrored(axis, 0.0);
+    return from + gain * word;
   };
   if (block.has('R')) {
     cycle.retract_word = block.length('R');

@@ -24,6 +24,11 @@ class CoordinateMap {
   [[nodiscard]] double to_work(AxisIndex axis, double programmed) const {
     return gain_[axis] * programmed + shift_[axis];
   }
+  // As if nothing were scaled.
+  [[nodiscard]] double mirrored(AxisIndex axis, double programmed) const {
+    const AxisMap& map = axes_[axis];
+    return map.mirrored ? 2.0 * map.line - programmed : programmed;
+  }
   [[nodiscard]] double to_program(AxisIndex axis, double work) const {
     return (work - shift_[axis]) / gain_[axis];
   }

@@ -192,12 +192,14 @@ std::optional<double> work_offset_parameter(int number, const BlockSurroundings&
   return of_axis(around, *letter, around.tables.work_offset(system).value_or(AxisValues{}));
 }
 
+// Of the tool table, whether the length is active or not (LinuxCNC, "Numbered parameters").
 std::optional<double> tool_offset_parameter(int number, const BlockSurroundings& around) {
   const auto coordinate = place_in_block(number, tool_offset_first);
   if (!coordinate) return std::nullopt;
-  if (*coordinate >= around.modal.tool.length.offset_mm.size()) return 0.0;
+  const auto tool = around.tables.tool(around.modal.tool.active);
+  if (!tool || *coordinate >= tool->length_mm.size()) return 0.0;
   const double unit = around.modal.inches() ? mm_per_inch : 1.0;
-  return around.modal.tool.length.offset_mm[*coordinate] / unit;
+  return tool->length_mm[*coordinate] / unit;
 }
 
 double tool_diameter(const BlockSurroundings& around) {

@@ -25,6 +25,13 @@ struct BracketOperator {
 
 inline constexpr int comparison_level = 1;
 
+// AND, OR and XOR of Haas take the whole part of a number (mill operator's manual, "Logical
+// operators"); on Fanuc controls a fraction is an error.
+[[nodiscard]] constexpr bool takes_whole_part(Operation operation, const TextRules& rules) {
+  return rules.is_haas() && (operation == Operation::macro_and ||
+                             operation == Operation::macro_or || operation == Operation::macro_xor);
+}
+
 inline constexpr auto bracket_operators = std::to_array<BracketOperator>({
     {"and", 0, Operation::bracket_and},
     {"or", 0, Operation::bracket_or},

@@ -33,6 +33,11 @@ Expression binary(Operation operation, Expression left, Expression right) {
   return made;
 }
 
+Expression whole_part(Expression number) {
+  const Span span = number.span;
+  return call_of("trunc", span, std::move(number));
+}
+
 // Words whose values are whole numbers.
 constexpr std::string_view counted_words = "DGHLMNOPST";
 constexpr std::string_view angle_words = "ABC";
@@ -199,6 +204,10 @@ MaybeExpression BracketParser::parse_bracket_binary(int level) {
     scanner_.advance(found->name.size());
     auto right = parse_bracket_binary(level + 1);
     if (!right) return std::nullopt;
+    if (takes_whole_part(found->operation, source_.rules())) {
+      left = whole_part(std::move(*left));
+      right = whole_part(std::move(*right));
+    }
     left = binary(found->operation, std::move(*left), std::move(*right));
   }
   return left;

@@ -236,6 +236,7 @@ TextValues::MaybeValue TextValues::binary(int level) {
     at_ += found->name.size();
     const MaybeValue right = binary(found->level + 1);
     if (!right) return std::nullopt;
+    if (takes_whole_part(found->operation, rules_)) return std::nullopt;  // left to the parser
     const bool unknown = std::isnan(*left) || std::isnan(*right);
     ArithmeticFault fault{};
     if (unknown && parameters_.are_known()) {
