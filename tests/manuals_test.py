@@ -209,16 +209,23 @@ def faults_of_this_test(stanok, root):
             yield f"planted: {why or 'a wrong expectation was not noticed'}"
 
 
+def column_of(example):
+    if example["kind"] == "derived":
+        return "derived"
+    return "stated errors" if "error" in example else "stated positions"
+
+
 def table(examples):
     """The counts per manual, as docs/developer/manuals.md has them."""
-    kinds = ("stated", "derived")
+    columns = ("stated positions", "stated errors", "derived")
     counts = {}
     for example in examples:
-        row = counts.setdefault(example["manual"], dict.fromkeys(kinds, 0))
-        row[example["kind"]] += 1
-    rows = [(manual, *(row[kind] for kind in kinds)) for manual, row in counts.items()]
-    rows.append(("all", *(sum(row[k] for row in rows) for k in (1, 2))))
-    return "\n".join(["| manual | stated | derived |", "|---|---|---|", *("| {} | {} | {} |".format(*row) for row in rows)])
+        counts.setdefault(example["manual"], dict.fromkeys(columns, 0))[column_of(example)] += 1
+    rows = [(manual, *row.values()) for manual, row in counts.items()]
+    rows.append(("all", *map(sum, zip(*(row[1:] for row in rows)))))
+    lines = ("| " + " | ".join(map(str, row)) + " |" for row in (("manual", *columns), *rows))
+    heading, *rest = lines
+    return "\n".join([heading, "|---|---|---|---|", *rest])
 
 
 def main(stanok, root, *options):
