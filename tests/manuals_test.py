@@ -26,8 +26,10 @@ WORDS_MAX = 25           # of a quotation
 STANDING_MM_PER_S = 0.05  # in G61.1 a cycle of 1 ms beside a stop is slower: j t^2 / 2, with j = 100 m/s^3
 STOP_MM = 1e-4           # and no farther from it than j t^3 / 6
 END_MM = 1e-6            # of a path that is computed in doubles
+PASSED_MM = 1e-3         # beside a chord of a cycle: s^2 / 8 r, with s = 0.1 mm and r = 2 mm, and less
 MM = {"mm": 1.0, "inch": 25.4}
-RESULTS = ("stops", "passes", "end", "error")
+POINTS = ("stops", "ends", "passes")
+RESULTS = (*POINTS, "end", "error")
 
 
 def faults_of(example):
@@ -126,6 +128,17 @@ def first_missed(points, path, tolerance):
     return None
 
 
+def first_not_reached(points, stops, tolerance):
+    """The first point at which the path does not stop in this order, or none."""
+    rest = 0
+    for point in points:
+        while rest < len(stops) and math.dist(point, stops[rest]) > tolerance:
+            rest += 1
+        if rest == len(stops):
+            return point
+    return None
+
+
 def shown(points, unit):
     return " ".join("(" + ", ".join(f"{value / unit:.6g}" for value in point) + ")" for point in points)
 
@@ -133,16 +146,17 @@ def shown(points, unit):
 def judge(example, trace, end):
     """Why the path is not the expected one, or none."""
     unit = MM[example.get("unit", "mm")]
-    path = [place for place, _ in trace]
-    in_mm = {key: [[x * unit for x in point] for point in example.get(key, [])] for key in ("stops", "passes")}
+    path, stops = [place for place, _ in trace], stops_of(trace)
+    in_mm = {key: [[x * unit for x in point] for point in example.get(key, [])] for key in POINTS}
+    tolerance = example.get("tolerance", STOP_MM)
     if "stops" in example:
-        stops = stops_of(trace)[1:]
-        if len(stops) != len(in_mm["stops"]) or any(
-                math.dist(a, b) > example.get("tolerance", STOP_MM) for a, b in zip(stops, in_mm["stops"])):
-            return f'stops at {shown(stops, unit)}, expected {shown(in_mm["stops"], unit)}'
-    missed = first_missed(in_mm["passes"], path, example.get("tolerance", 1e-3))
+        pairs = zip(stops[1:], in_mm["stops"])
+        if len(stops) - 1 != len(in_mm["stops"]) or any(math.dist(a, b) > tolerance for a, b in pairs):
+            return f'stops at {shown(stops[1:], unit)}, expected {shown(in_mm["stops"], unit)}'
+    missed = first_not_reached(in_mm["ends"], stops, tolerance) or first_missed(
+        in_mm["passes"], path, example.get("tolerance", PASSED_MM))
     if missed:
-        return f"does not pass {shown([missed], unit)}, stops at {shown(stops_of(trace)[1:], unit)}"
+        return f"does not reach {shown([missed], unit)}, stops at {shown(stops[1:], unit)}"
     wanted = [x * unit for x in example.get("end", [])]
     if wanted and math.dist(wanted, end) > example.get("tolerance", END_MM):
         return f"ends at {shown([end], unit)}, expected {shown([wanted], unit)}"
@@ -191,10 +205,11 @@ def planted():
     """Examples that must fail, so that this test is tested."""
     good = {"name": "planted", "kind": "stated", "source": "this file", "quote": "X is 1.", "dialect": "linuxcnc",
             "file": "planted", "program": "G21 G90\nG0 X1 Y2\nG1 Z3 F600\nM2", "end": [1, 2, 3],
-            "stops": [[1, 2, 0], [1, 2, 3]], "passes": [[0.5, 1, 0], [1, 2, 1.5]]}
+            "stops": [[1, 2, 0], [1, 2, 3]], "ends": [[1, 2, 3]], "passes": [[0.5, 1, 0], [1, 2, 1.5]]}
     yield good, True
     wrong = [{"end": [1, 2, 3.001]}, {"stops": [[1, 2, 3]]}, {"stops": [[1, 2, 0.001], [1, 2, 3]]},
-             {"passes": [[1, 2, 1.5], [0.5, 1, 0]]}, {"passes": [[0.5, 0.9, 0]]}, {"error": "E4031"}, {"source": ""},
+             {"passes": [[1, 2, 1.5], [0.5, 1, 0]]}, {"passes": [[0.5, 0.9, 0]]}, {"ends": [[1, 2, 1.5]]},
+             {"ends": [[1, 2, 3], [1, 2, 0]]}, {"error": "E4031"}, {"source": ""},
              {"quote": ""}, {"quote": "word " * (WORDS_MAX + 1)}, {"kind": "derived"}, {"kind": "remembered"},
              {"program": "G21 G90\nG0 X1 Y2 Q7\nM2"}, {"known_difference": "README.md: stanok"},
              {"end": [1, 2, 4], "known_difference": "README.md: words that are not there"}]
