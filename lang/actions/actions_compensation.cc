@@ -24,7 +24,7 @@ std::optional<Tool> programmed_tool(ActiveBlock& block, CodeNumber code) {
   tool.radius_mm = block.length('D') / 2.0;
   if (block.has('L') && block.modal.plane() != Plane::zx && block.words.rules.is_linuxcnc()) {
     block
-        .fail("E4036", {'L', -1, {}}, "L, the orientation of a lathe tool, needs plane G18",
+        .fail("E4003", {'L', -1, {}}, "L, the orientation of a lathe tool, needs plane G18",
               "another plane")
         .notes.push_back(block.modal.origin_of(Group::plane));
     return std::nullopt;
