@@ -7,6 +7,9 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/programs/cycles ${CMAKE_SOURCE_DIR}/programs/examples
                   ${CMAKE_SOURCE_DIR}/config/machines
         DESTINATION ${CMAKE_INSTALL_DATADIR}/stanok)
+# Post-processors of CAM systems; one of them is a command.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/posts DESTINATION ${CMAKE_INSTALL_DATADIR}/stanok USE_SOURCE_PERMISSIONS
+        PATTERN __pycache__ EXCLUDE)
 # The page of stanok-web, as it was built.
 if(EXISTS ${CMAKE_SOURCE_DIR}/panel/dist)
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/panel/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/stanok/panel)

@@ -27,6 +27,7 @@ for file in bin/stanok bin/stanokd bin/stanok-drives bin/stanok-web bin/stanok-g
   share/bash-completion/completions/stanok share/zsh/vendor-completions/_stanok \
   share/fish/vendor_completions.d/stanok.fish share/man/man1/stanok.1 share/man/man1/stanok-program.1 \
   share/man/man1/stanok-drives.1 share/man/man8/stanokd.8 share/man/man8/stanok-web.8 share/man/man8/stanok-gateway.8 share/man/man8/stanok-opcua.8 \
+  share/stanok/posts/freecad/stanok_post.py share/stanok/posts/neutral/stanok_neutral.py share/stanok/posts/neutral/stanok_program.py \
   share/doc/stanok/README.md share/doc/stanok/docs/integrator/install.md share/doc/stanok/copyright; do
   [[ -s $usr/$file ]] || fail "the package lacks usr/$file"
 done

@@ -23,7 +23,7 @@ WINGS = {
     "doors": ["protocol", "daemon", "client", "web", "panel", "gateway", "opcua", "python"],
 }
 BESIDE = {
-    "to read": ["programs", "docs"],
+    "to read": ["programs", "posts", "docs"],
     "to build and test": ["tests", "benchmarks", "tools", "cmake", "packaging"],
 }
 # Doors that are no C++ library: what they hold on to.

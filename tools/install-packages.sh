@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of the groups named (runtime, build, cell, python, test, all, peer) from tools/packages.txt.
+# Installs the Debian packages of the groups named (runtime, build, cell, python, test, cam, all, peer) from tools/packages.txt.
 #
 # Asks the package database first and touches nothing when everything is there. Else apt-get as root
 # or through sudo, without questions, with retries; quiet unless it fails. Usage:
@@ -57,7 +57,7 @@ leave_off() {
 
 main() {
   if (($# == 0)); then
-    echo "usage: ${0##*/} runtime|build|cell|python|test|all|peer ..." >&2
+    echo "usage: ${0##*/} runtime|build|cell|python|test|cam|all|peer ..." >&2
     return 2
   fi
   local group package

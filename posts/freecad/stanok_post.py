@@ -268,7 +268,7 @@ class _Post:
 
     def _follow(self, name, words, obj):
         if name.startswith("("):
-            self._text.comment(name[1:].rstrip(")"))
+            self._text.comment(name[1:].removesuffix(")"))
         elif name == "M6":
             self._change(words)
         elif name in ("M3", "M4", "M5"):
