@@ -61,6 +61,7 @@ def _parser():
     add("--retract", choices=("g53", "g28", "none"), default="g53", help="how Z goes up before a tool change")
     add("--safe-z", type=float, default=0.0, help="machine coordinate of --retract g53, in mm; default 0")
     add("--blank-resolution", type=float, help="resolution of #workpiece in mm; default 1/400 of the longest side")
+    add("--blank-file", help="STL file of the blank, in mm and in the coordinates of the job, in place of the stock")
     return parser
 
 
@@ -467,13 +468,16 @@ def _is_upright_cylinder(stock):
 
 
 def _blank_line(job, text, options):
-    """#workpiece of the stock: a cylinder along Z as such, everything else as the box around it; None without stock."""
+    """#workpiece of the stock: a file if one is named, a cylinder along Z as such, everything else as the box around it.
+    None without stock."""
     stock = getattr(job, "Stock", None)
     if stock is None:
         return None
     box = stock.Shape.BoundBox
     resolution = options.blank_resolution or max(box.XLength, box.YLength, box.ZLength) / 400
     values = [text.length(value) for value in (box.XLength, box.YLength, box.ZLength, -box.XMin, -box.YMin, -box.ZMin)]
+    if options.blank_file:
+        return f'#workpiece (2, {_shortest(resolution, 4)}, 0, "{options.blank_file}", 0, 0, 0)'
     kind = 0
     if _is_upright_cylinder(stock):
         middle = (text.length(-(box.XMin + box.XMax) / 2), text.length(-(box.YMin + box.YMax) / 2))
