@@ -4,7 +4,7 @@ Copy this one file into FreeCAD's macro folder and choose `stanok` as the post-p
 docs/programmer/cam-freecad.md. FreeCAD calls export(objects, filename, arguments) with the work offsets, tool
 controllers and operations of a job in their order. Nothing of FreeCAD is imported: the file reads attributes only
 (Path.Commands, Label, Tool, Stock), in FreeCAD's units mm, mm/s and degrees, and it stands alone because FreeCAD
-loads a post from a single file (docs/developer/adr/0052-posts-stand-alone.md).
+loads a post from a single file (docs/developer/adr/0052-posts-stand-alone.md). FreeCAD 0.20 may bring Python 3.8.
 
 A command that this file does not know is a PostError that names operation and command. Nothing is left out silently.
 """
@@ -130,16 +130,22 @@ def _sweep(start, end, centre, clockwise):
 
 
 class _Motion:
-    """Moves as blocks: only what has changed. The position is forgotten where the control moves by itself."""
+    """Moves as blocks: only what has changed. The position is forgotten where the control moves by itself.
+
+    FreeCAD's operations begin with a rapid of Z alone. After a retract that one would go down where the last operation
+    ended, in another work offset perhaps into its part. So Z waits until a rapid has gone over the new point.
+    """
 
     def __init__(self, text):
         self._text = text
         self._plane = "G17"
-        self.forget()
+        self.forget(is_up=False)
 
-    def forget(self):
+    def forget(self, is_up):
         self._at = {}
         self._code = self._feed = None
+        self._goes_over = is_up
+        self._height = None  # of a rapid of Z that waits
 
     def forget_height(self):
         self._at.pop("Z", None)
@@ -150,12 +156,37 @@ class _Motion:
             self._plane = code
 
     def line(self, code, words, feed_mm_per_min):
+        if not self._goes_over:
+            self._line(code, words, feed_mm_per_min)
+        elif code == "G0" and set(words) == {"Z"}:
+            self._height = words["Z"]
+        elif code == "G0":
+            over = {axis: value for axis, value in words.items() if axis != "Z"}
+            self._go_down({**over, "Z": words.get("Z", self._height)})
+        else:
+            self._go_down_if_waiting()
+            self._line(code, words, feed_mm_per_min)
+
+    def _go_down_if_waiting(self):
+        if self._goes_over:
+            self._go_down({"Z": self._height})
+
+    def _go_down(self, words):
+        """Over the point, then down, if a height is known."""
+        self._goes_over = False
+        height = words.pop("Z")
+        self._line("G0", words, None)
+        if height is not None:
+            self._line("G0", {"Z": height}, None)
+
+    def _line(self, code, words, feed_mm_per_min):
         changed = [f"{axis}{self._value(axis, value)}" for axis, value in words.items() if self._differs(axis, value)]
         self._at.update(words)
         if changed:
             self._move(code, changed, feed_mm_per_min)
 
     def arc(self, code, words, feed_mm_per_min):
+        self._go_down_if_waiting()
         first, second, third = PLANES[self._plane]
         self._require((first, second))
         if abs(words.get(CENTRE[third], 0.0)) > SAME_POINT_MM:
@@ -177,6 +208,7 @@ class _Motion:
         self._move(code, changed, feed_mm_per_min)
 
     def cycle(self, code, words, feed_mm_per_min):
+        self._go_down_if_waiting()
         self._code = None
         self._move(code, words, feed_mm_per_min)
 
@@ -269,7 +301,7 @@ class _Post:
 
     def _follow(self, name, words, obj):
         if name.startswith("("):
-            self._text.comment(name[1:].removesuffix(")"))
+            self._text.comment(re.sub(r"\)$", "", name[1:]))
         elif name == "M6":
             self._change(words)
         elif name in ("M3", "M4", "M5"):
@@ -325,7 +357,7 @@ class _Post:
         elif self._options.retract == "g28":
             self._text.block("G91", "G28", "Z0")
             self._text.block("G90")
-        self._motion.forget()
+        self._motion.forget(is_up=self._options.retract != "none")
 
     def _choose_offset(self, name, words):
         if name == "G54.1":

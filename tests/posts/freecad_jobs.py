@@ -127,6 +127,8 @@ class Job:
         operation.ToolController = controller
         if faces:
             operation.Base = [(self.clone, tuple(faces))]
+        if module is PathPocketShape:
+            properties.setdefault("OffsetPattern", "ZigZagOffset")
         for key, value in properties.items():
             operation.setExpression(key, None)
             setattr(operation, key, value)
@@ -212,7 +214,7 @@ def profile(name, arguments="", dress=None, **properties):
 
 
 def ramps(job, base):
-    dressed = job.document.addObject("Path::FeaturePython", "RampEntry")
+    dressed = job.document.addObject("Path::FeaturePython", "RampEntryDressup")
     dressed.Proxy = PathDressupRampEntry.ObjectDressup(dressed)
     dressed.Base = base
     job.job.Proxy.addOperation(dressed, base)
@@ -221,7 +223,7 @@ def ramps(job, base):
 
 
 def leads(job, base):
-    dressed = job.document.addObject("Path::FeaturePython", "LeadInOut")
+    dressed = job.document.addObject("Path::FeaturePython", "LeadInOutDressup")
     dressed.Proxy = PathDressupLeadInOut.ObjectDressup(dressed)
     dressed.Base = base
     job.job.Proxy.addOperation(dressed, base)
@@ -230,6 +232,7 @@ def leads(job, base):
 
 
 def pocket(name, arguments="", **properties):
+    """FreeCAD's patterns ZigZag and Line leave scallops at the walls; the others go along the walls at the end."""
     job = Job(name, plate_with_pocket())
     job.operation(PathPocketShape, job.tool(2, "flat", 6), job.floors(6), StepDown=3.0, StepOver=50, **properties)
     job.finish(arguments)
@@ -243,7 +246,7 @@ def round_pocket():
 
 def adaptive_pocket():
     job = Job("adaptive_pocket", plate_with_pocket())
-    job.operation(PathAdaptive, job.tool(1, "flat", 6), job.floors(6), StepDown=6.0, StepOver=25, Side="Inside",
+    job.operation(PathAdaptive, job.tool(1, "flat", 6), job.floors(6), StepDown=6.0, StepOver=25, Side="Inside", Tolerance=0.01,
                   OperationType="Clearing", FinishingProfile=True)
     job.finish()
 
@@ -251,7 +254,7 @@ def adaptive_pocket():
 def adaptive_and_finishing():
     job = Job("adaptive_then_finished", plate_with_pocket())
     tool = job.tool(1, "flat", 8)
-    job.operation(PathAdaptive, tool, job.floors(6), StepDown=6.0, StepOver=25, Side="Inside", OperationType="Clearing",
+    job.operation(PathAdaptive, tool, job.floors(6), StepDown=6.0, StepOver=25, Side="Inside", Tolerance=0.01, OperationType="Clearing",
                   StockToLeave=0.3, FinishingProfile=False)
     job.operation(PathPocketShape, job.tool(2, "flat", 6), job.floors(6), StepDown=6.0, StepOver=60)
     job.finish()
@@ -261,7 +264,7 @@ def helix_bore(name, arguments="", **properties):
     solid = box(40, 40, 10).cut(cylinder(7, 10, (20, 20, 0)))
     job = Job(name, solid)
     job.operation(PathHelix, job.tool(3, "flat", 8), job.bores(7), StepDown=1.5, FinalDepth=-0.5, **properties)
-    job.finish(arguments)
+    job.finish(arguments, home={"Z": 200.0})
 
 
 def holes(name, arguments="", **properties):
@@ -300,7 +303,7 @@ def engraving(name, points, arguments=""):
 def faced_and_pocketed(name, arguments="", **more):
     job = Job(name, plate_with_pocket(), top=1.5)
     face = job.tool(1, "flat", 16)
-    job.operation(PathMillFace, face, StepOver=60, FinalDepth=12.0, StepDown=1.0, BoundaryShape="Stock")
+    job.operation(PathMillFace, face, ExtraOffset=8.0, StepOver=60, FinalDepth=12.0, StepDown=1.0, BoundaryShape="Stock")
     job.operation(PathPocketShape, job.tool(2, "flat", 6), job.floors(6), StartDepth=12.0, StepDown=3.0, StepOver=50)
     job.finish(arguments, **more)
 
@@ -310,7 +313,7 @@ def three_tools():
     for y in (10, 30):
         solid = solid.cut(drilled(2.5, 8, (46, y, 14)))
     job = Job("three_tools", solid, top=1.0)
-    job.operation(PathMillFace, job.tool(1, "flat", 20), FinalDepth=14.0, StepOver=60, BoundaryShape="Stock")
+    job.operation(PathMillFace, job.tool(1, "flat", 20), ExtraOffset=10.0, FinalDepth=14.0, StepOver=60, BoundaryShape="Stock")
     job.operation(PathPocketShape, job.tool(2, "flat", 8), job.floors(9), StartDepth=14.0, StepDown=2.5, StepOver=50)
     job.operation(PathDrilling, job.tool(3, "drill", 5), job.bores(2.5), StartDepth=14.0, FinalDepth=6.0, PeckEnabled=True,
                   PeckDepth=2.0)
@@ -328,15 +331,15 @@ def two_offsets(name, order):
 def boss_outside():
     solid = box(40, 40, 6).fuse(cylinder(10, 6, (20, 20, 6))).removeSplitter()
     job = Job("boss_adaptive", solid)
-    job.operation(PathAdaptive, job.tool(1, "flat", 8), job.floors(6), StepDown=6.0, StepOver=25, Side="Inside",
-                  OperationType="Clearing", FinishingProfile=True, UseOutline=False)
+    job.operation(PathAdaptive, job.tool(1, "flat", 8), job.floors(12), StepDown=6.0, StepOver=25, Side="Outside",
+                  Tolerance=0.01, OperationType="Clearing", FinishingProfile=True, FinalDepth=6.0)
     job.finish()
 
 
 def window():
     solid = box(50, 40, 8).cut(rounded_box(26, 18, 8, 5, (12, 11, 0)))
     job = Job("window_profile", solid)
-    job.operation(PathProfile, job.tool(1, "flat", 9), processHoles=True, processPerimeter=False, Side="Inside",
+    job.operation(PathProfile, job.tool(1, "flat", 9), job.floors(8), processHoles=True, processPerimeter=False,
                   FinalDepth=0.0, StepDown=4.0)
     job.finish()
 
@@ -356,23 +359,15 @@ def both_sides(name, pocket_depth):
     job.finish("--blank-file=first.stl", turned_from=f"{name}_1")
 
 
-def open_steps():
-    solid = box(50, 30, 12).cut(box(15, 30, 4, (0, 0, 8)))
-    job = Job("open_step", solid)
-    job.operation(PathPocketShape, job.tool(1, "flat", 10), job.floors(8), StepDown=2.0, StepOver=50,
-                  UseOutline=False, ExtensionLengthDefault=6.0)
-    job.finish()
-
-
 ZIGZAG = ((6, 6), (14, 22), (22, 8), (30, 22), (34, 8))
 JOBS = {
     "profile": lambda: profile("profile"),
     "profile_ramped": lambda: profile("profile_ramped", dress=ramps),
     "profile_led_in": lambda: profile("profile_led_in", dress=leads),
     "profile_inches": lambda: profile("profile_inches", "--inches"),
-    "pocket_zigzag": lambda: pocket("pocket_zigzag", OffsetPattern="ZigZag"),
+    "pocket_zigzag": lambda: pocket("pocket_zigzag", OffsetPattern="ZigZagOffset"),
     "pocket_offset": lambda: pocket("pocket_offset", OffsetPattern="Offset"),
-    "pocket_haas": lambda: pocket("pocket_haas", "--dialect=haas --line-numbers", OffsetPattern="Line"),
+    "pocket_haas": lambda: pocket("pocket_haas", "--dialect=haas --line-numbers", OffsetPattern="Offset"),
     "pocket_with_island": round_pocket,
     "adaptive_pocket": adaptive_pocket,
     "adaptive_then_finished": adaptive_and_finishing,
@@ -391,7 +386,6 @@ JOBS = {
     "offsets_by_fixture": lambda: two_offsets("offsets_by_fixture", "Fixture"),
     "offsets_by_tool": lambda: two_offsets("offsets_by_tool", "Tool"),
     "window_profile": window,
-    "open_step": open_steps,
     "both_sides": lambda: both_sides("both_sides", 5),
 }
 

@@ -98,6 +98,7 @@ def machine_of(folder, job):
         lines += ["[[tool]]"] + [f"{key} = {json.dumps(value)}" for key, value in tool.items()]
     for name, zero in job.get("offsets", {"G54": [0, 0, 0]}).items():
         lines += [f"[offset.{name}]"] + [f"{axis} = {float(value)}" for axis, value in zip("XYZ", zero)]
+    lines += ["[reference_point.1.G28]"] + [f"{axis} = {value}" for axis, value in job.get("home", {}).items()]
     (folder / "tables.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
     return folder / "mill.toml"
 

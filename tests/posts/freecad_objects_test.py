@@ -3,6 +3,7 @@
 
 usage: freecad_objects_test.py STANOK ROOT_OF_THE_PROJECT
 """
+import ast
 import importlib.util
 import math
 import pathlib
@@ -101,8 +102,8 @@ S6000 M3
 (operation: Profile)
 M8
 (Contour [outer])
-G0 Z10
-X-30 Y0
+G0 X-30 Y0
+Z10
 Z2
 G1 Z-2 F300
 X-10 F800
@@ -133,6 +134,12 @@ def lines_with(text, word):
 
 
 class Text(unittest.TestCase):
+    def test_the_file_stands_alone_and_is_of_python_3_8(self):
+        tree = ast.parse((ROOT / "posts/freecad/stanok_post.py").read_text(encoding="utf-8"), feature_version=(3, 8))
+        imported = {name.name for node in ast.walk(tree) if isinstance(node, ast.Import) for name in node.names}
+        self.assertEqual(imported, {"argparse", "math", "re", "shlex"})
+        self.assertFalse([node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)])
+
     def test_a_job_is_written_as_the_guide_shows(self):
         self.assertEqual(posted(plate()), PLATE_TEXT)
 
@@ -180,6 +187,16 @@ class Text(unittest.TestCase):
         text = posted([fixture("G54"), controller(), operation(*CUT), fixture("G59.1"), operation(*CUT)])
         self.assertIn("G0 Z10\nG53 G0 Z0\nG59.1\n(operation: Profile)\n", text)
         self.assertEqual(text.count("Z15"), 0)
+
+    def test_z_goes_down_only_over_the_first_point_of_an_operation(self):
+        text = posted([fixture("G54"), controller(), operation(*CUT), fixture("G55"), operation(*CUT)])
+        self.assertEqual(text.count("\n(Contour [outer])\nG0 X-30 Y0\nZ10\nZ2\n"), 2)
+        without = posted([fixture("G54"), controller(), operation(*CUT)], "--retract=none")
+        self.assertIn("\nG0 Z10\nX-30 Y0\nZ2\n", without)  # the height at the start is not known
+
+    def test_a_height_that_waits_comes_before_a_cut(self):
+        text = posted([controller(), operation(command("G0", Z=5.0), command("G1", Z=-1.0, F=PLUNGE))])
+        self.assertIn("\nG0 Z5\nG1 Z-1 F300\n", text)
 
     def test_an_inactive_operation_is_left_out_and_a_dressup_has_the_coolant_of_its_operation(self):
         base = operation(CoolantMode="Mist", Active=True)
