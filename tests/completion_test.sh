@@ -63,6 +63,9 @@ expect read remove run resume return retrace reset -- stanok program r
 expect --wait -- stanok program run part.nc --w
 expect --all -- stanok program reset --a
 expect verify -- stanok log ver
+expect import -- stanok tool imp
+expect --into -- stanok tool import part.nc --in
+expect part.nc -- stanok tool import pa
 expect part.nc -- stanok check pa
 expect machine.toml -- stanok simulate part.nc --machine m
 expect resume -- stanok --socket /x program res

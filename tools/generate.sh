@@ -34,7 +34,7 @@ fi
 
 # Test program, and its suites that write a document.
 readonly -A writers=([base]='AlarmsDocument.*' [protocol]='Discovery.*' [recording]='MessagesDocument.*'
-  [lang]='LanguageDocument.*' [daemon]='CommandTableDocument.*')
+  [lang]='LanguageDocument.*' [daemon]='CommandTableDocument.*' [jobs]='ToolFormatsDocument.*')
 tests=("${!writers[@]}")
 ninja -C "$build" "${tests[@]/%/_tests}" stanok_python
 for name in "${!writers[@]}"; do

@@ -12,6 +12,7 @@
 #include "client/offline/machine/machine_check_command.h"
 #include "client/offline/process/process_command.h"
 #include "client/offline/simulate/simulate_command.h"
+#include "client/offline/tools/tool_library_commands.h"
 #include "client/offline/workpiece/workpiece_follow_command.h"
 
 namespace stanok::client {
@@ -40,6 +41,7 @@ void add_offline_commands(CLI::App& app, int& exit_code) {
   add_grind_commands(app, exit_code);
   add_process_commands(app, exit_code);
   add_history_commands(app, exit_code);
+  add_tool_library_commands(app, exit_code);
   add_explain_command(app, exit_code);
   add_completion_command(app);
   add_manual_command(app);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "channels/contract/output.h"
+#include "config/files/foreign_tables.h"
 
 namespace stanok::config {
 namespace {
@@ -35,47 +36,6 @@ const Keys<TablesFile>& tables_keys() {
       {"variable", at<&TablesFile::variables>, optional, "",
        "common variables #500 to #999 of the dialects fanuc and haas, #10000 to #10499 of haas, "
        "and part counters, by channel"},
-  };
-  return keys;
-}
-
-const Keys<ToolEdge>& tool_keys() {
-  static const Keys<ToolEdge> keys = {
-      {"number", at<&ToolEdge::number>, required, "", "number of the tool (T, H)", from(1, 32000)},
-      {"edge", at<&ToolEdge::edge>, optional, "", "number of its cutting edge", from(1, 99)},
-      {"name", at<&ToolEdge::name>, optional, "", "name to display"},
-      {"kind", at<&ToolEdge::kind>, optional, "", "shape of the cutting part",
-       one_of({"flat", "ball", "bull", "drill", "taper", "insert", "probe"})},
-      {"length", at<&ToolEdge::length>, optional, "mm",
-       "from the spindle nose to the tip, along Z"},
-      {"length_x", at<&ToolEdge::length_x>, optional, "mm", "from the nose to the tip, along X"},
-      {"length_y", at<&ToolEdge::length_y>, optional, "mm", "from the nose to the tip, along Y"},
-      {"radius", at<&ToolEdge::radius>, optional, "mm", "radius of the cutter", not_negative},
-      {"corner_radius", at<&ToolEdge::corner_radius>, optional, "mm",
-       "radius between face and flank, at most the radius of the cutter", not_negative},
-      {"flute_length", at<&ToolEdge::flute_length>, optional, "mm", "cutting length", not_negative},
-      {"shank_diameter", at<&ToolEdge::shank_diameter>, optional, "mm", "diameter of the shank",
-       not_negative},
-      {"holder_diameter", at<&ToolEdge::holder_diameter>, optional, "mm", "diameter of the holder",
-       not_negative},
-      {"holder_length", at<&ToolEdge::holder_length>, optional, "mm", "length of the holder",
-       not_negative},
-      {"point_angle", at<&ToolEdge::point_angle>, optional, "deg",
-       "point angle of a drill, between its lips; 0: 118", from(0, 180)},
-      {"taper_angle", at<&ToolEdge::taper_angle>, optional, "deg",
-       "angle of a taper, between its axis and its flank", from(0, 89)},
-      {"wear_length", at<&ToolEdge::wear_length>, optional, "mm", "added to the length"},
-      {"wear_length_x", at<&ToolEdge::wear_length_x>, optional, "mm",
-       "added to the length along X"},
-      {"wear_radius", at<&ToolEdge::wear_radius>, optional, "mm", "added to the radius"},
-      {"overhang", at<&ToolEdge::overhang>, optional, "mm", "overhang of the tool from its holder",
-       not_negative},
-      {"orientation", at<&ToolEdge::orientation>, optional, "",
-       "orientation of a turning tool: 1 to 9 (G41, G42); 0: none", from(0, 9)},
-      {"angle_front", at<&ToolEdge::angle_front>, optional, "deg", "front angle of an insert",
-       from(-360, 360)},
-      {"angle_back", at<&ToolEdge::angle_back>, optional, "deg", "back angle of an insert",
-       from(-360, 360)},
   };
   return keys;
 }
@@ -273,7 +233,61 @@ toml::table to_table(const ToolEdge& tool) {
                      {"angle_back", tool.angle_back}};
 }
 
+// The tables; nothing, and a fault, when the file cannot be read.
+std::optional<toml::table> parse_tables(const std::filesystem::path& file, FaultList& faults) {
+  const auto text = read_text(file, faults);
+  if (!text) return std::nullopt;
+  if (const auto foreign = foreign_tables_in(*text)) {
+    faults.add(foreign->place_in(file),
+               "this is " + foreign->what + ", not a tables file; run `stanok tool import " +
+                   file.filename().string() + " --output tables.toml` and name tables.toml here");
+    return std::nullopt;
+  }
+  return parse_text(*text, file, faults);
+}
+
 }  // namespace
+
+const Keys<ToolEdge>& tool_keys() {
+  static const Keys<ToolEdge> keys = {
+      {"number", at<&ToolEdge::number>, required, "", "number of the tool (T, H)", from(1, 32000)},
+      {"edge", at<&ToolEdge::edge>, optional, "", "number of its cutting edge", from(1, 99)},
+      {"name", at<&ToolEdge::name>, optional, "", "name to display"},
+      {"kind", at<&ToolEdge::kind>, optional, "", "shape of the cutting part",
+       one_of({"flat", "ball", "bull", "drill", "taper", "insert", "probe"})},
+      {"length", at<&ToolEdge::length>, optional, "mm",
+       "from the spindle nose to the tip, along Z"},
+      {"length_x", at<&ToolEdge::length_x>, optional, "mm", "from the nose to the tip, along X"},
+      {"length_y", at<&ToolEdge::length_y>, optional, "mm", "from the nose to the tip, along Y"},
+      {"radius", at<&ToolEdge::radius>, optional, "mm", "radius of the cutter", not_negative},
+      {"corner_radius", at<&ToolEdge::corner_radius>, optional, "mm",
+       "radius between face and flank, at most the radius of the cutter", not_negative},
+      {"flute_length", at<&ToolEdge::flute_length>, optional, "mm", "cutting length", not_negative},
+      {"shank_diameter", at<&ToolEdge::shank_diameter>, optional, "mm", "diameter of the shank",
+       not_negative},
+      {"holder_diameter", at<&ToolEdge::holder_diameter>, optional, "mm", "diameter of the holder",
+       not_negative},
+      {"holder_length", at<&ToolEdge::holder_length>, optional, "mm", "length of the holder",
+       not_negative},
+      {"point_angle", at<&ToolEdge::point_angle>, optional, "deg",
+       "point angle of a drill, between its lips; 0: 118", from(0, 180)},
+      {"taper_angle", at<&ToolEdge::taper_angle>, optional, "deg",
+       "angle of a taper, between its axis and its flank", from(0, 89)},
+      {"wear_length", at<&ToolEdge::wear_length>, optional, "mm", "added to the length"},
+      {"wear_length_x", at<&ToolEdge::wear_length_x>, optional, "mm",
+       "added to the length along X"},
+      {"wear_radius", at<&ToolEdge::wear_radius>, optional, "mm", "added to the radius"},
+      {"overhang", at<&ToolEdge::overhang>, optional, "mm", "overhang of the tool from its holder",
+       not_negative},
+      {"orientation", at<&ToolEdge::orientation>, optional, "",
+       "orientation of a turning tool: 1 to 9 (G41, G42); 0: none", from(0, 9)},
+      {"angle_front", at<&ToolEdge::angle_front>, optional, "deg", "front angle of an insert",
+       from(-360, 360)},
+      {"angle_back", at<&ToolEdge::angle_back>, optional, "deg", "back angle of an insert",
+       from(-360, 360)},
+  };
+  return keys;
+}
 
 bool is_work_offset(std::string_view name) {
   constexpr std::string_view extended = "G54.1 P";
@@ -302,7 +316,7 @@ TablesConfig read_tables(const std::filesystem::path& file,
                          const std::vector<std::string>& axis_names, FaultList& faults,
                          const TablesConfig& base) {
   TablesConfig tables;
-  const auto root = parse_file(file, faults);
+  const auto root = parse_tables(file, faults);
   if (!root) return tables;
   TablesFile sections;
   read_table(*root, tables_keys(), sections, Scope{faults, "tables"});
@@ -320,6 +334,18 @@ TablesConfig read_tables_text(const std::string& text, const std::filesystem::pa
   TablesConfig tables = read_tables(file, axis_names, faults, base);
   faults.throw_if_any();
   return tables;
+}
+
+std::vector<ToolEdge> read_tools_text(const std::string& text, const std::filesystem::path& file) {
+  FaultList faults({{file, text}});
+  std::vector<ToolEdge> tools;
+  if (const auto root = parse_tables(file, faults)) {
+    TablesFile sections;
+    read_table(*root, tables_keys(), sections, Scope{faults, "tables"});
+    tools = read_tools(sections.tools, {}, faults);
+  }
+  faults.throw_if_any();
+  return tools;
 }
 
 std::string to_toml(const TablesConfig& tables) {

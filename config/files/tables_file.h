@@ -27,6 +27,14 @@ namespace stanok::config {
                                                       const std::vector<std::string>& axis_names,
                                                       const channels::TablesConfig& base = {});
 
+// Only the tools of such a text; its offsets are not read, since they need the axes of a machine.
+// Throws ConfigError.
+[[nodiscard]] std::vector<channels::ToolEdge> read_tools_text(const std::string& text,
+                                                              const std::filesystem::path& file);
+
+// The keys of a row of [[tool]], in their order.
+[[nodiscard]] const Keys<channels::ToolEdge>& tool_keys();
+
 // The tables as a text that reads back the same, to the bit.
 [[nodiscard]] std::string to_toml(const channels::TablesConfig& tables);
 
