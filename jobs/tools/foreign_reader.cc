@@ -74,8 +74,9 @@ ForeignTool* ForeignReader::tool(int number, const ForeignPlace& place) {
 void ForeignReader::give(ForeignTool& tool, std::string_view name, double value,
                          const ForeignPlace& place) {
   const ToolKey& key = tool_key(name);
+  // -0 + 0 is 0.
   const bool is_allowed = value >= key.allowed.min && value <= key.allowed.max;
-  if (!std::isfinite(value) || !is_allowed || !set_number(tool.edge, key, value)) {
+  if (!std::isfinite(value) || !is_allowed || !set_number(tool.edge, key, value + 0.0)) {
     fault(place, std::string(name) + " of " + tool_text(tool.edge.number, tool.edge.edge) + " is " +
                      config::number_text(value) + unit_text(key) + "; it must be " + range_of(key) +
                      "; check the value and its unit");

@@ -3,10 +3,29 @@
 #include <algorithm>
 
 #include "jobs/tools/foreign_text.h"
+#include "jobs/tools/freecad_tools.h"
+#include "jobs/tools/fusion_csv.h"
+#include "jobs/tools/fusion_tools.h"
 #include "jobs/tools/linuxcnc_table.h"
+#include "jobs/tools/offset_listing.h"
+#include "jobs/tools/tool_csv.h"
+#include "jobs/tools/tool_values.h"
 
 namespace stanok::jobs {
 namespace {
+
+std::vector<CarriedKey> all_keys() {
+  std::vector<CarriedKey> keys;
+  for (const ToolKey& key : config::tool_keys()) {
+    const bool tells_tools_apart = key.name == "number" || key.name == "edge";
+    if (!tells_tools_apart && key.name != "kind") keys.push_back({key.name});
+  }
+  return keys;
+}
+
+std::vector<CarriedKey> keys_of_listings() {
+  return {{"name"}, {"length"}, {"wear_length"}, {"radius"}, {"wear_radius"}};
+}
 
 std::string names_of(bool (*is_meant)(const ToolFormat&)) {
   std::string names;
@@ -66,6 +85,74 @@ const std::vector<ToolFormat>& tool_formats() {
                    {"angle_front"},
                    {"angle_back"}},
        .kinds = {}},
+      {.name = "csv",
+       .title = "tables with keys of the tables file as headings, for spreadsheets",
+       .suffixes = {".csv"},
+       .read = &read_tool_csv,
+       .write = &write_tool_csv,
+       .carried = all_keys(),
+       .kinds = tool_key("kind").allowed.names,
+       .numbers = ToolNumbers::number_and_edge},
+      {.name = "freecad",
+       .title = "FreeCAD tool libraries and, to import, tool bits",
+       .suffixes = {".fctl", ".fctb"},
+       .read = &read_freecad_tools,
+       .write = &write_freecad_tools,
+       .carried = {{"name"},
+                   {"radius"},
+                   {"corner_radius", "bull"},
+                   {"flute_length"},
+                   {"shank_diameter"},
+                   {"point_angle", "drill"},
+                   {"taper_angle", "taper"}},
+       .kinds = {"flat", "ball", "bull", "drill", "taper", "probe"}},
+      {.name = "fusion",
+       .title = "Fusion tool libraries",
+       .suffixes = {".json", ".tools"},
+       .read = &read_fusion_tools,
+       .write = &write_fusion_tools,
+       .carried = {{"name"},
+                   {"length"},
+                   {"radius"},
+                   {"corner_radius"},
+                   {"flute_length"},
+                   {"shank_diameter"},
+                   {"holder_diameter"},
+                   {"holder_length"},
+                   {"point_angle"},
+                   {"taper_angle"},
+                   {"overhang"}},
+       .kinds = tool_key("kind").allowed.names},
+      {.name = "fusion-csv",
+       .title = "Fusion and HSMWorks tables",
+       .suffixes = {},
+       .read = &read_fusion_csv,
+       .carried = {{"name"},
+                   {"length"},
+                   {"radius"},
+                   {"corner_radius"},
+                   {"flute_length"},
+                   {"shank_diameter"},
+                   {"point_angle"},
+                   {"taper_angle"},
+                   {"overhang"}},
+       .kinds = tool_key("kind").allowed.names},
+      {.name = "fanuc",
+       .title = "Fanuc offset listings",
+       .suffixes = {},
+       .read = &read_fanuc_offsets,
+       .write = &write_fanuc_offsets,
+       .carried = keys_of_listings(),
+       .kinds = {},
+       .decimals = {.mm = 3, .inch = 4}},
+      {.name = "haas",
+       .title = "Haas offset listings",
+       .suffixes = {".ofs"},
+       .read = &read_haas_offsets,
+       .write = &write_haas_offsets,
+       .carried = keys_of_listings(),
+       .kinds = {},
+       .decimals = {.mm = 3, .inch = 4}},
   };
   return formats;
 }

