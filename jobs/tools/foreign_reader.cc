@@ -30,7 +30,7 @@ void ForeignReader::fault(const ForeignPlace& place, const std::string& text) {
     faults_.push_back({.file = file_, .text = "there are more faults; correct these first"});
   }
   if (faults_.size() > faults_max) return;
-  faults_.push_back({.file = file_,
+  faults_.push_back({.file = place.file.empty() ? file_ : place.file,
                      .line = place.line,
                      .column = place.column,
                      .text = place.member.empty() ? text : place.member + ": " + text});

@@ -16,12 +16,12 @@
 
 namespace stanok::jobs {
 
-// Where something is in the file. Line and column count from 1; line 0: in the file. `member` is
-// the path of a member in a file of JSON.
+// Where something is in the file. Line and column count from 1; line 0: in the file.
 struct ForeignPlace {
   unsigned line = 0;
   unsigned column = 0;
-  std::string member{};
+  std::string member{};  // path of a member in a file of JSON
+  std::string file{};    // another one, which the file names or has in it; empty: the file itself
 };
 
 class ForeignReader {

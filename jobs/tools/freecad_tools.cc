@@ -119,8 +119,8 @@ class BitReader {
     ForeignSource bit = source_;
     bit.file = *file;
     bit.bytes = *bytes;
-    if (const auto parsed = json_of(text_of(bit), reader_)) {
-      read_bit(*parsed, static_cast<int>(*number), shortened(*file));
+    if (const auto parsed = json_of(text_of(bit), reader_, *file)) {
+      read_bit(*parsed, static_cast<int>(*number), *file);
     }
   }
 
@@ -137,8 +137,8 @@ class BitReader {
   }
 
   void read_bit(const Json& json, int number, const std::string& file) {
-    JsonMembers bit(json, file, reader_);
-    ForeignTool* tool = reader_.begin(number, 1, {.member = file});
+    JsonMembers bit(json, "", reader_, file);
+    ForeignTool* tool = reader_.begin(number, 1, {.file = file});
     if (tool == nullptr) return;
     bit.take("version");
     if (const auto name = bit.text("name"); name && !name->empty()) {

@@ -60,7 +60,7 @@ class FusionReader {
 
   void read() {
     if (!is_zip(source_.bytes)) {
-      read_text(text_of(source_));
+      read_text(text_of(source_), source_.file.string());
       return;
     }
     const auto members = zip_members(source_.bytes, ".json");
@@ -70,28 +70,29 @@ class FusionReader {
     }
     for (const UnpackedMember& member : *members) {
       ForeignSource inner = source_;
+      inner.file = source_.file / member.name;
       inner.bytes = member.bytes;
-      read_text(text_of(inner));
+      read_text(text_of(inner), inner.file.string());
     }
     if (members->empty()) reader_.fault({}, "no .json in this ZIP file; export it again");
   }
   [[nodiscard]] ForeignTools finish() { return reader_.finish(); }
 
  private:
-  void read_text(const std::string& text) {
-    const auto json = json_of(text, reader_);
+  void read_text(const std::string& text, const std::string& file) {
+    const auto json = json_of(text, reader_, file);
     if (!json) return;
-    JsonMembers library(*json, "", reader_);
+    JsonMembers library(*json, "", reader_, file);
     library.take("version");
     const Json& tools = library.list("data");
     for (std::size_t i = 0; i < tools.size(); ++i) {
-      read_tool(tools[i], "data[" + std::to_string(i) + "]");
+      read_tool(tools[i], "data[" + std::to_string(i) + "]", file);
     }
     library.lose_the_rest(0, nothing_like_it);
   }
 
-  void read_tool(const Json& json, const std::string& path) {
-    JsonMembers members(json, path, reader_);
+  void read_tool(const Json& json, const std::string& path, const std::string& file) {
+    JsonMembers members(json, path, reader_, file);
     const std::string type = members.text("type").value_or("");
     const std::string description = in_one_line(members.text("description").value_or(""));
     if (type == "holder") {
@@ -212,7 +213,8 @@ class FusionReader {
                     .value = shown(segments),
                     .reason = "a holder is one cylinder, as wide as the widest segment"});
     }
-    holder.lose_the_rest(tool.edge.number, "of the holder, the tables have its cylinder only");
+    holder.lose_the_rest(tool.edge.number, "of a holder, the tables have its cylinder only",
+                         "holder.");
   }
 
   // Offsets that have the number of the tool say nothing new.

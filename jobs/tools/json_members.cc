@@ -20,11 +20,12 @@ const Json& empty_list() {
   return empty;
 }
 
-ForeignPlace place_of_byte(std::string_view text, std::size_t byte) {
+ForeignPlace place_of_byte(std::string_view text, std::size_t byte, const std::string& file) {
   const std::string_view before = text.substr(0, byte);
   const auto line = static_cast<unsigned>(std::ranges::count(before, '\n')) + 1;
   const std::string_view in_line = before.substr(before.rfind('\n') + 1);
-  return {line, static_cast<unsigned>(character_count(in_line)) + 1};
+  return {
+      .line = line, .column = static_cast<unsigned>(character_count(in_line)) + 1, .file = file};
 }
 
 // Of a member that says nothing, nothing is lost.
@@ -36,9 +37,10 @@ bool says_nothing(const Json& value) {
 
 }  // namespace
 
-std::optional<Json> json_of(std::string_view text, ForeignReader& reader) {
+std::optional<Json> json_of(std::string_view text, ForeignReader& reader, const std::string& file) {
   if (const auto excess = json_excess(text)) {
-    reader.fault({excess->line, excess->column}, "cannot be read: " + excess->text);
+    reader.fault({.line = excess->line, .column = excess->column, .file = file},
+                 "cannot be read: " + excess->text);
     return std::nullopt;
   }
   try {
@@ -46,19 +48,20 @@ std::optional<Json> json_of(std::string_view text, ForeignReader& reader) {
   } catch (const Json::parse_error& error) {
     // Counted from 1, behind what was read last.
     const std::size_t byte = std::min(std::max<std::size_t>(error.byte, 1) - 1, text.size());
-    reader.fault(place_of_byte(text, byte),
+    reader.fault(place_of_byte(text, byte, file),
                  "not valid JSON here; export the library again, or correct the text");
   } catch (const Json::exception&) {
-    reader.fault({}, "a number in it is too large; correct it in the program that wrote the file");
+    reader.fault({.file = file},
+                 "a number in it is too large; correct it in the program that wrote the file");
   }
   return std::nullopt;
 }
 
 std::string shown(const Json& value) {
   if (value.is_string()) return shortened(value.get_ref<const std::string&>());
-  if (value.is_object()) return std::to_string(value.size()) + " members";
-  if (value.is_array() && value.size() != 1) return std::to_string(value.size()) + " entries";
-  if (value.is_array()) return "1 entry";
+  const std::string count = std::to_string(value.size());
+  if (value.is_object()) return count + (value.size() == 1 ? " member" : " members");
+  if (value.is_array()) return count + (value.size() == 1 ? " entry" : " entries");
   return protocol::json_text(value);
 }
 
@@ -66,17 +69,20 @@ std::string json_file_text(const Json& value) {
   return protocol::json_text(value, protocol::JsonLayout::indented) + "\n";
 }
 
-JsonMembers::JsonMembers(const Json& object, std::string path, ForeignReader& reader)
+JsonMembers::JsonMembers(const Json& object, std::string path, ForeignReader& reader,
+                         std::string file)
     : object_(object.is_object() ? object : empty_object()),
       path_(std::move(path)),
+      file_(std::move(file)),
       reader_(reader) {
   if (!object.is_object()) {
-    reader_.fault({.member = path_}, "must be an object, { ... }; export the library again");
+    reader_.fault({.member = path_, .file = file_},
+                  "must be an object, { ... }; export the library again");
   }
 }
 
 ForeignPlace JsonMembers::place_of_member(std::string_view name) const {
-  return {.member = (path_.empty() ? "" : path_ + ".") + std::string(name)};
+  return {.member = (path_.empty() ? "" : path_ + ".") + std::string(name), .file = file_};
 }
 
 const Json* JsonMembers::take(std::string_view name) {
@@ -105,7 +111,7 @@ std::optional<std::string> JsonMembers::text(std::string_view name) {
 JsonMembers JsonMembers::object(std::string_view name) {
   const Json* value = take(name);
   const bool is_there = value != nullptr && !value->is_null();
-  return {is_there ? *value : empty_object(), place_of_member(name).member, reader_};
+  return {is_there ? *value : empty_object(), place_of_member(name).member, reader_, file_};
 }
 
 const Json& JsonMembers::list(std::string_view name) {
@@ -116,11 +122,11 @@ const Json& JsonMembers::list(std::string_view name) {
   return empty_list();
 }
 
-void JsonMembers::lose_the_rest(int tool, std::string_view reason) {
+void JsonMembers::lose_the_rest(int tool, std::string_view reason, std::string_view owner) {
   for (const auto& [name, value] : object_.items()) {
     if (taken_.contains(name) || says_nothing(value)) continue;
     reader_.lose({.tool = tool,
-                  .field = shortened(name),
+                  .field = std::string(owner) + shortened(name),
                   .value = shown(value),
                   .reason = std::string(reason)});
   }

@@ -15,8 +15,10 @@ namespace stanok::jobs {
 
 using Json = nlohmann::ordered_json;
 
-// Nothing, and a fault with its place, when the text is not JSON or is nested too deeply.
-[[nodiscard]] std::optional<Json> json_of(std::string_view text, ForeignReader& reader);
+// Nothing, and a fault with its place, when the text is not JSON or is nested too deeply. `file`:
+// of the text, where it is not that of the reader.
+[[nodiscard]] std::optional<Json> json_of(std::string_view text, ForeignReader& reader,
+                                          const std::string& file = "");
 
 // A text that a person reads, as short as a message has room for.
 [[nodiscard]] std::string shown(const Json& value);
@@ -27,8 +29,8 @@ using Json = nlohmann::ordered_json;
 // The members of one object; it must outlive this.
 class JsonMembers {
  public:
-  // `path`: of the object in the file, "data[3].geometry"; empty: it is the file.
-  JsonMembers(const Json& object, std::string path, ForeignReader& reader);
+  // `path`: of the object in the file, "data[3].geometry"; empty: it is the file. `file`: as above.
+  JsonMembers(const Json& object, std::string path, ForeignReader& reader, std::string file = "");
 
   [[nodiscard]] ForeignPlace place_of_member(std::string_view name) const;
   // Null: there is none. It counts as taken.
@@ -40,12 +42,13 @@ class JsonMembers {
   JsonMembers object(std::string_view name);
   const Json& list(std::string_view name);
 
-  // All that was not taken and says something, of a tool.
-  void lose_the_rest(int tool, std::string_view reason);
+  // All that was not taken and says something, of a tool. `owner` goes before the names.
+  void lose_the_rest(int tool, std::string_view reason, std::string_view owner = "");
 
  private:
   const Json& object_;
   std::string path_;
+  std::string file_;
   ForeignReader& reader_;
   std::set<std::string, std::less<>> taken_;
 };

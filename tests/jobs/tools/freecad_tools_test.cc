@@ -97,6 +97,25 @@ TEST(FreeCadLibrary, IsRefusedWithItsFaults) {
   EXPECT_THAT(fault_as("freecad", R"({"parameter":{"Diameter":1e999}})"), HasSubstr("too large"));
 }
 
+TEST(FreeCadLibrary, IsRefusedWithThePlaceInItsBit) {
+  const auto broken = [](const std::filesystem::path& path) {
+    return path.filename() == "b.fctb"
+               ? std::optional<std::string>("{\n\n  \"name\": }")
+               : std::optional<std::string>(bit("endmill", R"("Diameter":"x")"));
+  };
+  try {
+    static_cast<void>(read_as("freecad",
+                              R"({"tools":[{"nr":1,"path":"a.fctb"},{"nr":2,"path":"b.fctb"}]})",
+                              {}, {}, broken));
+    FAIL();
+  } catch (const config::ConfigError& error) {
+    EXPECT_STREQ(error.what(),
+                 "a.fctb: parameter.Diameter: is 'x'; write a number and its unit, as in \"6.0 "
+                 "mm\" or \"0.25 in\"\n"
+                 "b.fctb:3:11: not valid JSON here; export the library again, or correct the text");
+  }
+}
+
 TEST(FreeCadLibrary, IsWrittenWithItsBitsInBit) {
   std::vector<channels::ToolEdge> tools(1);
   tools[0].number = 4;

@@ -54,10 +54,10 @@ TEST(FusionTools, NameWhatTheTablesDoNotHave) {
     "geometry":{"DC":6,"NOF":3,"CSP":false},"post-process":{"number":2,"diameter-offset":12,"turret":0},
     "holder":{"vendor":"x","segments":[{"height":40,"lower-diameter":30,"upper-diameter":32}]},
     "start-values":{"presets":[{"n":1}]}}, {"type":"holder","description":"spare"})"));
-  EXPECT_THAT(lost_in(found),
-              ElementsAre("tool 2 NOF 3", "tool 2 holder.segments 1 entry", "tool 2 vendor x",
-                          "tool 2 diameter-offset 12", "tool 2 vendor shop",
-                          "tool 2 start-values 1 members", "tool 0 data[1] spare"));
+  EXPECT_THAT(lost_in(found), ElementsAre("tool 2 NOF 3", "tool 2 holder.segments 1 entry",
+                                          "tool 2 holder.vendor x", "tool 2 diameter-offset 12",
+                                          "tool 2 vendor shop", "tool 2 start-values 1 member",
+                                          "tool 0 data[1] spare"));
 }
 
 TEST(FusionTools, AreRefusedWithTheirFaults) {
@@ -87,6 +87,11 @@ TEST(FusionTools, ArePackedInAZipFile) {
 }
 
 // 80 MiB of blanks take some 80 kB in a ZIP file.
+TEST(FusionTools, AreRefusedWithThePlaceInTheirMember) {
+  EXPECT_THAT(fault_as("fusion", zip_of({"tools.json", "{\n x"})),
+              HasSubstr("library/tools.json:2:2: not valid JSON here"));
+}
+
 TEST(FusionTools, ThatUnpackToTooMuchAreRefused) {
   const std::string packed = zip_of({"tools.json", std::string(80UL << 20, ' ')});
   EXPECT_LT(packed.size(), 1UL << 20);
