@@ -34,10 +34,10 @@ import PathScripts.PathToolBit as PathToolBit
 import PathScripts.PathToolController as PathToolController
 import PathScripts.PathUtils as PathUtils
 from PathScripts.PathPost import CommandPathPost
+from PathScripts.PathPostProcessor import PostProcessor
 
-sys.path.insert(0, os.environ["STANOK_POST"])
+sys.path.insert(0, os.environ["STANOK_POST"])  # as FreeCAD has the macro folder in it
 sys.dont_write_bytecode = True
-import stanok_post  # noqa: E402
 
 FOLDER = pathlib.Path(os.environ["STANOK_JOBS"])
 RESOLUTION = 0.2  # of the virtual workpiece, mm
@@ -150,7 +150,8 @@ class Job:
     def finish(self, arguments="", **more):
         self.document.recompute()
         arguments = f"--safe-z=200 --blank-resolution={RESOLUTION} {arguments}"
-        programs = [stanok_post.export(objects, "-", arguments) for objects in CommandPathPost().buildPostList(self.job)]
+        post = PostProcessor.load("stanok")
+        programs = [post.export(objects, "-", arguments) for objects in CommandPathPost().buildPostList(self.job)]
         stock = self.job.Stock.Shape.BoundBox
         record = {"programs": programs, "tools": self.tools, "blank_corner": [stock.XMin, stock.YMin, stock.ZMin],
                   "samples": samples(self.solid, stock), **more}

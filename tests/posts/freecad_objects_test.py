@@ -140,7 +140,7 @@ class Text(unittest.TestCase):
         self.assertEqual(imported, {"argparse", "math", "re", "shlex"})
         self.assertFalse([node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)])
 
-    def test_a_job_is_written_as_the_guide_shows(self):
+    def test_a_job_is_written_block_by_block(self):
         self.assertEqual(posted(plate()), PLATE_TEXT)
 
     def test_the_text_is_also_in_the_file(self):

@@ -3,11 +3,14 @@
 
 usage: neutral_test.py STANOK ROOT_OF_THE_PROJECT
 """
+import contextlib
 import copy
+import io
 import json
 import math
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -75,8 +78,21 @@ def job_of(*operations, **keys):
 
 
 class Text(unittest.TestCase):
-    def test_a_job_is_written_as_the_guide_shows(self):
+    def test_a_job_is_written_block_by_block(self):
         self.assertEqual(stanok_neutral.program_of(TOP), TOP_TEXT)
+
+    def test_the_guide_shows_what_is_written(self):
+        guide = (ROOT / "docs/programmer/posts.md").read_text(encoding="utf-8")
+        job, program = re.search(r"```json\n(.*?)```\n\nbecomes\n\n```\n(.*?)```", guide, re.DOTALL).groups()
+        self.assertEqual(stanok_neutral.program_of(json.loads(job)), program)
+        slope = re.search(r'```json\n(\{"name": "slope".*?)```', guide, re.DOTALL).group(1)
+        tilt = math.degrees(math.atan2(0.4226, 0.9063))  # 24.99924
+        self.assertIn(f"G68.2 X0 Y-30 Z0 I0 J{round(tilt, 6)} K0\nG53.1\n", stanok_neutral.program_of(job_of(json.loads(slope))))
+        script = re.search(r"```python\n(.*?)```", guide, re.DOTALL).group(1)
+        shown = io.StringIO()
+        with contextlib.redirect_stdout(shown):
+            exec(script, {})  # noqa: S102: the script of the guide
+        self.assertIn("G0 X-30 Y0\nZ10\nG1 Z-2 F300\nX30 F800\n", shown.getvalue())
 
     def test_options_change_the_text(self):
         text = stanok_neutral.program_of(TOP, line_numbers=True, comments=False, retract="g28", dialect="fanuc")
