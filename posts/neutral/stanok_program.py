@@ -151,6 +151,7 @@ class ProgramWriter:
         self._active = _Active()
         self._blank = None
         self._turns_back = False
+        self._is_placed = False  # a rapid has gone to a point since Z went up
 
     # ---- the program as a whole ----
 
@@ -198,6 +199,8 @@ class ProgramWriter:
 
     def rapid(self, point, vector=None, angles=None):
         """To a point; a coordinate that is None stays. The first rapid of an upright tool goes over its point first."""
+        if None not in point:
+            self._is_placed = True
         upright = isinstance(self._active.orientation, Upright) or self._active.orientation == Plane((0.0,) * 3, (0.0,) * 3)
         if upright and self._active.point == [None, None, None]:
             self._line("G0", (point[0], point[1], None), None, None)
@@ -268,6 +271,7 @@ class ProgramWriter:
         self._cool("M9")
         self._active.orientation = None
         self._active.forget_position()
+        self._is_placed = False
 
     def _select_tool(self, tool):
         if tool != self._active.tool:
@@ -344,6 +348,8 @@ class ProgramWriter:
     def _move(self, code, words, feed):
         if self._active.tool is None:
             raise ProgramError("a move comes before the first operation")
+        if not self._is_placed:
+            raise ProgramError("the first move after a change of tool, offset or plane must be a rapid with X, Y and Z")
         block = [*([] if code == self._active.code else [code]), *words]
         self._active.code = code
         if feed is not None:
@@ -382,7 +388,7 @@ class ProgramWriter:
     def _ends(self, point, first, second):
         start = (self._active.point[first], self._active.point[second])
         if None in start:
-            raise ProgramError("the arc begins at an unknown point; begin with a move to it")
+            raise ProgramError("the arc begins at an unknown point; begin with a rapid to it")
         return start, tuple(known if value is None else value for known, value in zip(start, (point[first], point[second])))
 
     def _from_start(self, axis, center):

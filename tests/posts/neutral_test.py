@@ -158,6 +158,8 @@ FAULTS = [  # what is changed in TOP, and what the message says
     (lambda job: job["operations"][0]["moves"][3].update(center=[-10, 0]), "the center of the arc is its start"),
     (lambda job: job["operations"][0]["moves"][3].update(arc="left"), '"arc" is \'left\'; it must be one of cw, ccw'),
     (lambda job: job["operations"][0].update(moves=job["operations"][0]["moves"][3:]), "the arc begins at an unknown point"),
+    (lambda job: job["operations"][0].update(moves=[{"rapid": [None, None, 5]}]), "must be a rapid with X, Y and Z"),
+    (lambda job: job["operations"][0].update(moves=job["operations"][0]["moves"][6:]), "must be a rapid with X, Y and Z"),
     (lambda job: job["operations"][0]["moves"][6].pop("peck"), '"drill": "peck" needs "peck" above 0'),
     (lambda job: job["operations"][0]["moves"][6].update(pitch=1), '"pitch" does not belong to "drill": "peck"'),
     (lambda job: job["operations"][0]["moves"][6].update(deep=1), 'move 7: the move has the unknown key "deep"'),
