@@ -156,28 +156,22 @@ class _Motion:
             self._plane = code
 
     def line(self, code, words, feed_mm_per_min):
-        if not self._goes_over:
-            self._line(code, words, feed_mm_per_min)
-        elif code == "G0" and set(words) == {"Z"}:
-            self._height = words["Z"]
-        elif code == "G0":
-            over = {axis: value for axis, value in words.items() if axis != "Z"}
-            self._go_down({**over, "Z": words.get("Z", self._height)})
+        if self._goes_over and code == "G0":
+            self._go_over(words)
         else:
-            self._go_down_if_waiting()
+            self._go_down()
             self._line(code, words, feed_mm_per_min)
 
-    def _go_down_if_waiting(self):
-        if self._goes_over:
-            self._go_down({"Z": self._height})
+    def _go_over(self, words):
+        self._height = words.get("Z", self._height)
+        self._line("G0", {axis: value for axis, value in words.items() if axis != "Z"}, None)
+        if "X" in self._at and "Y" in self._at:
+            self._go_down()
 
-    def _go_down(self, words):
-        """Over the point, then down, if a height is known."""
+    def _go_down(self):
+        if self._goes_over and self._height is not None:
+            self._line("G0", {"Z": self._height}, None)
         self._goes_over = False
-        height = words.pop("Z")
-        self._line("G0", words, None)
-        if height is not None:
-            self._line("G0", {"Z": height}, None)
 
     def _line(self, code, words, feed_mm_per_min):
         changed = [f"{axis}{self._value(axis, value)}" for axis, value in words.items() if self._differs(axis, value)]
@@ -186,7 +180,7 @@ class _Motion:
             self._move(code, changed, feed_mm_per_min)
 
     def arc(self, code, words, feed_mm_per_min):
-        self._go_down_if_waiting()
+        self._go_down()
         first, second, third = PLANES[self._plane]
         self._require((first, second))
         if abs(words.get(CENTRE[third], 0.0)) > SAME_POINT_MM:
@@ -208,7 +202,7 @@ class _Motion:
         self._move(code, changed, feed_mm_per_min)
 
     def cycle(self, code, words, feed_mm_per_min):
-        self._go_down_if_waiting()
+        self._go_down()
         self._code = None
         self._move(code, words, feed_mm_per_min)
 

@@ -194,6 +194,10 @@ class Text(unittest.TestCase):
         without = posted([fixture("G54"), controller(), operation(*CUT)], "--retract=none")
         self.assertIn("\nG0 Z10\nX-30 Y0\nZ2\n", without)  # the height at the start is not known
 
+    def test_a_table_turns_before_z_goes_down(self):
+        moves = [command("G0", A=90.0), command("G0", Z=10.0), command("G0", X=1.0), command("G0", Y=2.0), command("G0", Z=5.0)]
+        self.assertIn("\nG0 A90\nX1\nY2\nZ10\nZ5\n", posted([controller(), operation(*moves)]))
+
     def test_a_height_that_waits_comes_before_a_cut(self):
         text = posted([controller(), operation(command("G0", Z=5.0), command("G1", Z=-1.0, F=PLUNGE))])
         self.assertIn("\nG0 Z5\nG1 Z-1 F300\n", text)

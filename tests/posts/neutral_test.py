@@ -107,6 +107,12 @@ class Text(unittest.TestCase):
         self.assertIn("G53 G0 Z0\nM5\nT1 M6\nS5000 M3\nG43 H1\n", text)
         self.assertIn("G53 G0 Z0\nG54.1 P3\nG43 H1\nG0 X0 Y0\nZ5\n", text)
 
+    def test_dwells_have_a_point(self):
+        moves = [{"rapid": [0, 0, 5]}, {"dwell": 2},
+                 {"drill": "dwell", "points": [[0, 0]], "top": 1, "bottom": -1, "dwell": 3, "f": 100}]
+        text = stanok_neutral.program_of(job_of(operation(moves=moves)))
+        self.assertIn("G4 P2.\nG98\nG82 X0 Y0 Z-1 R1 P3. F100\n", text)
+
     def test_a_short_arc_is_a_line_and_a_long_one_between_the_same_words_a_circle(self):
         step = math.radians(0.002)  # 0.00035 mm at a radius of 10: both ends are written X10 Y0
         near = [10 * math.cos(step), 10 * math.sin(step), None]
