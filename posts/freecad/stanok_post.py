@@ -486,7 +486,8 @@ def _tool_lines(objects):
 
 
 def _is_upright_cylinder(stock):
-    box, radius, height = stock.Shape.BoundBox, _number(getattr(stock, "Radius", None)), _number(getattr(stock, "Height", None))
+    radius, height = (_number(getattr(stock, key, None)) for key in ("Radius", "Height"))
+    box = stock.Shape.BoundBox
     if radius is None or height is None:
         return False
     sides = ((box.XLength, 2 * radius), (box.YLength, 2 * radius), (box.ZLength, height))

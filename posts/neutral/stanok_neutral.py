@@ -116,7 +116,8 @@ def _comment(writer, move):
     writer.comment(move["comment"])
 
 
-MOVES = {"rapid": lambda writer, move: _line(writer, move, "rapid"), "feed": lambda writer, move: _line(writer, move, "feed"),
+MOVES = {"rapid": lambda writer, move: _line(writer, move, "rapid"),
+         "feed": lambda writer, move: _line(writer, move, "feed"),
          "arc": _arc, "drill": _drill, "dwell": _dwell, "stop": _stop, "comment": _comment}
 
 
@@ -155,9 +156,9 @@ def _begin_operation(writer, operation, job):
     tool = _required(operation, "tool", "the operation")
     if not isinstance(tool, int) or tool < 1:
         raise program.ProgramError(f'"tool" must be a whole number from 1 on, not {tool!r}')
-    writer.begin_operation(operation.get("name", "no name"), tool, _number(operation, "speed"), operation.get("spindle", "cw"),
-                           operation.get("coolant", "off"), operation.get("offset", job.get("offset", "G54")),
-                           _orientation(operation))
+    writer.begin_operation(operation.get("name", "no name"), tool, _number(operation, "speed"),
+                           operation.get("spindle", "cw"), operation.get("coolant", "off"),
+                           operation.get("offset", job.get("offset", "G54")), _orientation(operation))
 
 
 def _write_operation(writer, operation, job, number):
@@ -200,7 +201,7 @@ def program_of(job, **overrides):
     machine = {**_known(job.get("machine", {}), MACHINE_KEYS, '"machine"'), **overrides}
     writer = program.ProgramWriter(program.Settings(units=job.get("units", "mm"), **machine))
     operations = _required(job, "operations", "the job")
-    tilts = any(isinstance(operation, dict) and ("plane" in operation or "five_axis" in operation) for operation in operations)
+    tilts = any(isinstance(operation, dict) and {"plane", "five_axis"} & operation.keys() for operation in operations)
     writer.begin(job.get("name", "no name"), [_tool_line(tool) for tool in job.get("tools", [])], _blank(job), tilts)
     for number, operation in enumerate(operations, 1):
         _write_operation(writer, operation, job, number)

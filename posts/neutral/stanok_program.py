@@ -164,7 +164,8 @@ class ProgramWriter:
         self.comment(name)
         for line in tools:
             self.comment(line)
-        self._block("G20" if self._settings.units == "inch" else "G21", "G90", "G94", "G17", "G40", "G49", "G69", "G80", "G91.1")
+        units = "G20" if self._settings.units == "inch" else "G21"
+        self._block(units, "G90", "G94", "G17", "G40", "G49", "G69", "G80", "G91.1")
 
     def end(self):
         """The text of the program."""

@@ -145,7 +145,9 @@ class Job:
         return self.faces(lambda face: abs(face.BoundBox.ZMin - z) + abs(face.BoundBox.ZMax - z) < 1e-6)
 
     def bores(self, radius):
-        return self.faces(lambda face: face.Surface.TypeId == "Part::GeomCylinder" and abs(face.Surface.Radius - radius) < 1e-6)
+        def is_bore(face):
+            return face.Surface.TypeId == "Part::GeomCylinder" and abs(face.Surface.Radius - radius) < 1e-6
+        return self.faces(is_bore)
 
     def finish(self, arguments="", **more):
         self.document.recompute()
@@ -255,16 +257,16 @@ def round_pocket():
 
 def adaptive_pocket():
     job = Job("adaptive_pocket", plate_with_pocket())
-    job.operation(PathAdaptive, job.tool(1, "flat", 6), job.floors(6), StepDown=6.0, StepOver=25, Side="Inside", Tolerance=0.01,
-                  OperationType="Clearing", FinishingProfile=True)
+    job.operation(PathAdaptive, job.tool(1, "flat", 6), job.floors(6), StepDown=6.0, StepOver=25, Side="Inside",
+                  Tolerance=0.01, OperationType="Clearing", FinishingProfile=True)
     job.finish()
 
 
 def adaptive_and_finishing():
     job = Job("adaptive_then_finished", plate_with_pocket())
     tool = job.tool(1, "flat", 8)
-    job.operation(PathAdaptive, tool, job.floors(6), StepDown=6.0, StepOver=25, Side="Inside", Tolerance=0.01, OperationType="Clearing",
-                  StockToLeave=0.3, FinishingProfile=False)
+    job.operation(PathAdaptive, tool, job.floors(6), StepDown=6.0, StepOver=25, Side="Inside",
+                  Tolerance=0.01, OperationType="Clearing", StockToLeave=0.3, FinishingProfile=False)
     job.operation(PathPocketShape, job.tool(2, "flat", 6), job.floors(6), StepDown=6.0, StepOver=60)
     job.finish()
 
@@ -322,7 +324,8 @@ def three_tools():
     for y in (10, 30):
         solid = solid.cut(drilled(2.5, 8, (46, y, 14)))
     job = Job("three_tools", solid, top=1.0)
-    job.operation(PathMillFace, job.tool(1, "flat", 20), ExtraOffset=10.0, FinalDepth=14.0, StepOver=60, BoundaryShape="Stock")
+    job.operation(PathMillFace, job.tool(1, "flat", 20), ExtraOffset=10.0, FinalDepth=14.0, StepOver=60,
+                  BoundaryShape="Stock")
     job.operation(PathPocketShape, job.tool(2, "flat", 8), job.floors(9), StartDepth=14.0, StepDown=2.5, StepOver=50)
     job.operation(PathDrilling, job.tool(3, "drill", 5), job.bores(2.5), StartDepth=14.0, FinalDepth=6.0, PeckEnabled=True,
                   PeckDepth=2.0)

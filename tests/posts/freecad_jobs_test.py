@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Jobs of FreeCAD through the post, `stanok check` and `stanok simulate`: the virtual part is the solid.
 
-At each sample of the finished faces of a solid, the distance to the virtual part is measured along the normal of the face: above
-0 is material that is left, below 0 is a gouge. 99.9 % of a job's samples are within 0.02 mm, and no gouge is deeper
-than 0.03 mm. The same part shifted by 0.1 mm must fail, so that the comparison can.
+At each sample of the finished faces of a solid, the distance to the virtual part is measured along the normal of the
+face: above 0 is material that is left, below 0 is a gouge. 99.9 % of a job's samples are within 0.02 mm, and no gouge
+is deeper than 0.03 mm. The same part shifted by 0.1 mm must fail, so that the comparison can.
 
 usage: freecad_jobs_test.py STANOK ROOT_OF_THE_PROJECT [JOB ...]
 exit code 77: FreeCAD or NumPy is missing (tools/install-packages.sh cam)
@@ -81,18 +81,23 @@ def deviations(surface, samples, shift=(0, 0, 0)):
     return numpy.array([surface.along(sample[:3] + numpy.array(shift), sample[3:]) for sample in samples])
 
 
-def fault_of(found):
-    """What a job's deviations lack, or None."""
-    share = numpy.mean(numpy.abs(found) <= WITHIN_MM)
-    if share < SHARE or found.min() < -GOUGE_MM:
-        return f"{100 * share:.2f} % within {WITHIN_MM} mm, from {found.min():.4f} to {found.max():.4f} mm"
-    return None
+def share_within(found):
+    return numpy.mean(numpy.abs(found) <= WITHIN_MM)
+
+
+def described(found):
+    return f"{100 * share_within(found):.2f} % within {WITHIN_MM} mm, from {found.min():.4f} to {found.max():.4f} mm"
+
+
+def is_right(found):
+    return share_within(found) >= SHARE and found.min() >= -GOUGE_MM
 
 
 def machine_of(folder, job):
     """mill3 with the tools and offsets of a job."""
     text = (ROOT / "config/machines/mill3.toml").read_text(encoding="utf-8")
-    (folder / "mill.toml").write_text(text.replace('name = "mill3"', 'name = "mill3"\ntables = "tables.toml"', 1), encoding="utf-8")
+    text = text.replace('name = "mill3"', 'name = "mill3"\ntables = "tables.toml"', 1)
+    (folder / "mill.toml").write_text(text, encoding="utf-8")
     lines = []
     for tool in job["tools"]:
         lines += ["[[tool]]"] + [f"{key} = {json.dumps(value)}" for key, value in tool.items()]
@@ -118,8 +123,8 @@ class FreecadJobs(unittest.TestCase):
         cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "HOME": str(cls.folder), "STANOK_ONLY": ",".join(ONLY),
                        "STANOK_POST": str(ROOT / "posts/freecad"), "STANOK_JOBS": str(cls.folder)}
-        made = subprocess.run([FREECAD, str(ROOT / "tests/posts/freecad_jobs.py")], env=environment, capture_output=True, text=True,
-                              check=False, cwd=cls.folder)
+        made = subprocess.run([FREECAD, str(ROOT / "tests/posts/freecad_jobs.py")], env=environment, cwd=cls.folder,
+                              capture_output=True, text=True, check=False)
         cls.output = made.stdout[-4000:] + made.stderr[-4000:]
         cls.jobs = {file.stem: json.loads(file.read_text(encoding="utf-8")) for file in sorted(cls.folder.glob("*.json"))}
 
@@ -151,18 +156,18 @@ class FreecadJobs(unittest.TestCase):
         return folder / "part.stl", corner
 
     def stanok(self, command, program, machine, *more):
-        result = subprocess.run([str(word) for word in (STANOK, command, "--machine", machine, program, *more)], capture_output=True,
-                                text=True, check=False)
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        self.assertNotIn("W92", result.stdout + result.stderr)  # rapids through material, shanks, holders, a spindle that is off
+        words = [str(word) for word in (STANOK, command, "--machine", machine, program, *more)]
+        result = subprocess.run(words, capture_output=True, text=True, check=False)
+        output = result.stdout + result.stderr
+        self.assertEqual(result.returncode, 0, output)
+        self.assertNotIn("W92", output)  # rapids through material, shanks, holders, a spindle that is off
 
     def compare(self, name, surface, samples):
         found = deviations(surface, samples)
-        print(f"{name}: {len(samples)} samples, {100 * numpy.mean(numpy.abs(found) <= WITHIN_MM):.2f} % within {WITHIN_MM} mm, "
-              f"from {found.min():.4f} to {found.max():.4f} mm", flush=True)
+        print(f"{name}: {len(samples)} samples, {described(found)}", flush=True)
         self.assertGreater(len(samples), 200)
-        self.assertIsNone(fault_of(found))
-        self.assertIsNotNone(fault_of(deviations(surface, samples, SHIFT_MM)), "a shift of 0.1 mm is not seen")
+        self.assertTrue(is_right(found), described(found))
+        self.assertFalse(is_right(deviations(surface, samples, SHIFT_MM)), "a shift of 0.1 mm is not seen")
 
 
 if __name__ == "__main__":

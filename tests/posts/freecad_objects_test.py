@@ -67,7 +67,8 @@ def stock(x, y, z, **attributes):
 
 def with_job(objects, **attributes):
     """The objects of a job, which FreeCAD finds through a group that refers to each operation."""
-    job = SimpleNamespace(Label="Plate", Operations=None, InList=[], Stock=stock((-40, 40), (-30, 30), (-20, 0)), **attributes)
+    blank = stock((-40, 40), (-30, 30), (-20, 0))
+    job = SimpleNamespace(Label="Plate", Operations=None, InList=[], Stock=blank, **attributes)
     for obj in objects[1:]:
         obj.InList = [SimpleNamespace(InList=[job])]
     return objects
@@ -79,7 +80,8 @@ CUT = [command("(Contour (outer))"), command("G0", Z=10.0), command("G0", X=-30.
        command("G3", X=10.0, Y=0.0, Z=-3.0, I=10.0, J=0.0, K=0.0, F=FEED),
        command("G2", X=10.0, Y=0.0, Z=-3.0, I=-5.0, J=0.0, F=FEED), command("G00", Z=10.0)]
 DRILL = [command("G0", Z=10.0), command("G90"), command("G99"), command("G0", X=20.0, Y=10.0),
-         command("G83", X=20.0, Y=10.0, Z=-8.0, R=2.0, Q=3.0, F=PLUNGE), command("G83", X=20.0, Y=-10.0, Z=-8.0, R=2.0, Q=3.0, F=PLUNGE),
+         command("G83", X=20.0, Y=10.0, Z=-8.0, R=2.0, Q=3.0, F=PLUNGE),
+         command("G83", X=20.0, Y=-10.0, Z=-8.0, R=2.0, Q=3.0, F=PLUNGE),
          command("G80"), command("G0", Z=10.0)]
 
 
@@ -195,7 +197,8 @@ class Text(unittest.TestCase):
         self.assertIn("\nG0 Z10\nX-30 Y0\nZ2\n", without)  # the height at the start is not known
 
     def test_a_table_turns_before_z_goes_down(self):
-        moves = [command("G0", A=90.0), command("G0", Z=10.0), command("G0", X=1.0), command("G0", Y=2.0), command("G0", Z=5.0)]
+        moves = [command("G0", A=90.0), command("G0", Z=10.0), command("G0", X=1.0), command("G0", Y=2.0),
+                 command("G0", Z=5.0)]
         self.assertIn("\nG0 A90\nX1\nY2\nZ10\nZ5\n", posted([controller(), operation(*moves)]))
 
     def test_a_height_that_waits_comes_before_a_cut(self):
@@ -217,7 +220,8 @@ class Text(unittest.TestCase):
             self.assertEqual(lines_with(text, "I-10"), circles)
 
     def test_arcs_of_other_planes_have_the_centres_of_these(self):
-        moves = [command("G0", X=0.0, Y=0.0, Z=0.0), command("G18"), command("G2", X=10.0, Y=0.0, Z=0.0, I=5.0, J=0.0, K=0.0, F=FEED)]
+        moves = [command("G0", X=0.0, Y=0.0, Z=0.0), command("G18"),
+                 command("G2", X=10.0, Y=0.0, Z=0.0, I=5.0, J=0.0, K=0.0, F=FEED)]
         self.assertEqual(lines_with(posted([controller(), operation(*moves)]), "G2"), ["G2 X10 Z0 K0 I5 F800"])
 
     def test_a_tap_has_the_feed_of_its_pitch(self):
@@ -244,7 +248,8 @@ FAULTS = [  # objects, arguments, what the message says
     ([fixture("G53")], "", "no work offset of stanok; choose G54 to G59.3"),
     ([fixture("G59.4")], "", "no work offset of stanok"),
     ([fixture("G54"), fixture("G55")], "--wcs=G56", "the job has several work offsets"),
-    ([controller(), operation(AT_ZERO, command("G2", X=1.0, I=0.5, K=0.1, F=1.0))], "", "K does not belong to an arc in G17"),
+    ([controller(), operation(AT_ZERO, command("G2", X=1.0, I=0.5, K=0.1, F=1.0))], "",
+     "K does not belong to an arc in G17"),
     ([controller(), operation(AT_ZERO, command("G2", X=1.0, F=1.0))], "", "the arc has no centre"),
     ([controller(), operation(command("G2", X=1.0, I=1.0, F=1.0))], "", "the arc begins where X and Y are not known"),
     ([controller(), operation(command("G1", A=10.0, X=1.0, F=1.0))], "", "rotary axes at feed are not written"),

@@ -87,7 +87,8 @@ class Text(unittest.TestCase):
         self.assertEqual(stanok_neutral.program_of(json.loads(job)), program)
         slope = re.search(r'```json\n(\{"name": "slope".*?)```', guide, re.DOTALL).group(1)
         tilt = math.degrees(math.atan2(0.4226, 0.9063))  # 24.99924
-        self.assertIn(f"G68.2 X0 Y-30 Z0 I0 J{round(tilt, 6)} K0\nG53.1\n", stanok_neutral.program_of(job_of(json.loads(slope))))
+        sloping = stanok_neutral.program_of(job_of(json.loads(slope)))
+        self.assertIn(f"G68.2 X0 Y-30 Z0 I0 J{round(tilt, 6)} K0\nG53.1\n", sloping)
         script = re.search(r"```python\n(.*?)```", guide, re.DOTALL).group(1)
         shown = io.StringIO()
         with contextlib.redirect_stdout(shown):
@@ -188,7 +189,7 @@ class Faults(unittest.TestCase):
         for move in ({"drill": "drill", "points": [[0, 0]], "top": 1, "bottom": -1, "f": 100},
                      {"arc": "cw", "to": [0, 0, 0], "center": [1, 0], "f": 100}):
             moves = [{"rapid": [0, 0, 5], "tool": [0, 0, 1]}, move]
-            with self.assertRaisesRegex(stanok_program.ProgramError, 'written in a plane only; give the operation a "plane"'):
+            with self.assertRaisesRegex(stanok_program.ProgramError, 'in a plane only; give the operation a "plane"'):
                 stanok_neutral.program_of(job_of(operation(five_axis="vectors", moves=moves)))
 
 
@@ -197,8 +198,8 @@ class CommandLine(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             source, target = pathlib.Path(folder) / "job.json", pathlib.Path(folder) / "part.nc"
             source.write_text(text, encoding="utf-8")
-            result = subprocess.run([sys.executable, "-B", ROOT / "posts/neutral/stanok_neutral.py", source, "-o", target, *options],
-                                    capture_output=True, text=True, check=False)
+            post = [sys.executable, "-B", ROOT / "posts/neutral/stanok_neutral.py", source, "-o", target, *options]
+            result = subprocess.run(post, capture_output=True, text=True, check=False)
             return result.returncode, result.stderr, target.read_text(encoding="utf-8") if target.exists() else None
 
     def test_writes_a_file(self):
@@ -206,7 +207,8 @@ class CommandLine(unittest.TestCase):
         self.assertIn("G53 G0 Z150\n", self.post(json.dumps(TOP), "--safe-z", "150")[2])
 
     def test_writes_nothing_when_the_job_has_a_fault(self):
-        for text, message in (("{", "job.json: Expecting property name"), ('{"operations": [{}]}', "operation 1 \"\": the operation lacks")):
+        for text, message in (("{", "job.json: Expecting property name"),
+                              ('{"operations": [{}]}', 'operation 1 "": the operation lacks')):
             code, errors, program = self.post(text)
             self.assertEqual((code, program), (1, None))
             self.assertIn(message, errors)
@@ -223,7 +225,8 @@ class OnMachines(unittest.TestCase):
         path += readings.arc_points((10, 0, -3), (10, 0, -3), (5, 0), clockwise=True) + [(10, 0, 10)]
         holes = [point for x, y in ((20, 10), (20, -10)) for point in ((x, y, 10), (x, y, -8), (x, y, 2), (x, y, 10))]
         chords = 5 * (1 - math.cos(math.pi / 96))  # of the polyline here: a turn of radius 5 in 96 pieces
-        runs = [(readings.mill3(ROOT), 200, dialect) for dialect in stanok_program.DIALECTS] + [(readings.trunnion(ROOT), 0, "stanok")]
+        runs = [(readings.mill3(ROOT), 200, dialect) for dialect in stanok_program.DIALECTS]
+        runs.append((readings.trunnion(ROOT), 0, "stanok"))
         for mill, safe_z, dialect in runs:
             with self.subTest(machine=mill.file.name, dialect=dialect):
                 ran = self.simulated(mill, TOP, safe_z=safe_z, dialect=dialect)
@@ -231,17 +234,20 @@ class OnMachines(unittest.TestCase):
                 ran.cuts_only(path + holes, below=9.9, near=readings.NEAR_MM + chords)
 
     def test_inches_are_the_same_path(self):
-        moves = [{"rapid": [1, 0, 1]}, {"feed": [1, 0, -0.1], "f": 12}, {"arc": "ccw", "to": [-1, 0, None], "center": [0, 0], "f": 30},
+        moves = [{"rapid": [1, 0, 1]}, {"feed": [1, 0, -0.1], "f": 12},
+                 {"arc": "ccw", "to": [-1, 0, None], "center": [0, 0], "f": 30},
                  {"drill": "drill", "points": [[0.5, 0.25]], "top": 0.1, "bottom": -0.5, "f": 10}]
         ran = self.simulated(readings.mill3(ROOT), job_of(operation(moves=moves), units="inch", machine={"safe_z": 8}))
         inches = [(1, 0, 1), (1, 0, -0.1), (0, 1, -0.1), (-1, 0, -0.1), (0.5, 0.25, -0.5)]
         ran.passes([tuple(25.4 * value for value in point) for point in inches])
 
     def test_a_plane_and_the_upright_operations_beside_it(self):
-        upright = operation(name="top", moves=[{"rapid": [-30, 5, 20]}, {"feed": [-30, 5, -1], "f": 500}, {"feed": [20, -5, -1], "f": 900}])
+        upright = operation(name="top", moves=[{"rapid": [-30, 5, 20]}, {"feed": [-30, 5, -1], "f": 500},
+                                               {"feed": [20, -5, -1], "f": 900}])
         faces = []
         for normal, along in (([0, -math.sin(0.4), math.cos(0.4)], None), ([0.3, -0.2, 0.9], [1, 0.5, 0])):
-            moves = [{"rapid": [-5, 4, 30]}, {"feed": [-5, 4, -1], "f": 500}, {"feed": [10, 4, -1], "f": 900}, {"rapid": [10, 4, 20]},
+            moves = [{"rapid": [-5, 4, 30]}, {"feed": [-5, 4, -1], "f": 500}, {"feed": [10, 4, -1], "f": 900},
+                     {"rapid": [10, 4, 20]},
                      {"drill": "drill", "points": [[3, -2]], "top": 2, "bottom": -5, "f": 200}]
             plane = {"origin": [2, -10, -3], "normal": normal, **({"x": along} if along else {})}
             faces.append((operation(name="slope", plane=plane, moves=moves), normal, along))
@@ -279,7 +285,8 @@ class OnMachines(unittest.TestCase):
             ran.leans(row, vector)
 
     def test_five_axes_by_angles(self):
-        stations = [((0, 0, 30), {"A": 0, "C": 0}), ((10, 5, 20), {"A": -20, "C": -90}), ((-8, 5, 22), {"A": 10.5, "C": -60})]
+        stations = [((0, 0, 30), {"A": 0, "C": 0}), ((10, 5, 20), {"A": -20, "C": -90}),
+                    ((-8, 5, 22), {"A": 10.5, "C": -60})]
         moves = [{"feed": list(p), "angles": angles, "f": 600} for p, angles in stations]
         moves[0] = {"rapid": list(stations[0][0]), "angles": stations[0][1]}
         ran = self.simulated(readings.trunnion(ROOT), job_of(operation(five_axis="angles", moves=moves)))

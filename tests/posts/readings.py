@@ -124,7 +124,7 @@ class Run:
         cosine = sum(a * b for a, b in zip(self.directions[row], direction)) / math.hypot(*direction)
         angle = math.degrees(math.acos(min(1.0, cosine)))
         if angle > within:
-            raise AssertionError(f"the tool leans by {angle:.3f} deg from {direction} in line {self.lines[row]}\n{self.text}")
+            raise AssertionError(f"the tool leans by {angle:.3f} deg from {direction}, line {self.lines[row]}\n{self.text}")
 
     def _distance(self, row, point):
         """From a point to the path between the row before and this one."""
