@@ -356,7 +356,7 @@ class _Post:
     def _choose_offset(self, name, words):
         if name == "G54.1":
             name = f"G54.1P{int(_needed(words, 'P'))}"
-        if not OFFSET.fullmatch(name):
+        if not self._options.wcs and not OFFSET.fullmatch(name):
             raise ValueError("no work offset of stanok; choose G54 to G59.3 in the job, or --wcs=G54.1P1")
         if self._options.wcs and self._offset not in (None, name):
             raise ValueError(f"the job has several work offsets, which --wcs={self._options.wcs} would make one")

@@ -205,6 +205,11 @@ class Text(unittest.TestCase):
         text = posted([controller(), operation(command("G0", Z=5.0), command("G1", Z=-1.0, F=PLUNGE))])
         self.assertIn("\nG0 Z5\nG1 Z-1 F300\n", text)
 
+    def test_an_offset_that_stanok_lacks_can_be_another_one(self):
+        text = posted([fixture("G59.7"), controller(), operation(*CUT)], "--wcs=G54.1P7")
+        self.assertIn("\nG54.1 P7\n", text)
+        self.assertNotIn("G59.7", text)
+
     def test_an_inactive_operation_is_left_out_and_a_dressup_has_the_coolant_of_its_operation(self):
         base = operation(CoolantMode="Mist", Active=True)
         dressed = operation(*CUT, label="Dogbone", Base=base)
